@@ -1,0 +1,37 @@
+// Random numbers that are the same on every machine: the distributions of <random> are not.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace gripscan {
+
+/// SplitMix64 (Steele, Lea, Flood 2014): small state, good enough for starts, noise and sampling.
+class SeededRandom {
+  public:
+    explicit SeededRandom(std::uint64_t seed) : state_(seed) {}
+
+    std::uint64_t next() {
+        state_ += 0x9e3779b97f4a7c15ULL;
+        std::uint64_t z = state_;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        return z ^ (z >> 31);
+    }
+
+    /// Uniform in [0, 1).
+    double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+    /// Normal with mean 0 and standard deviation 1 (Box and Muller 1958).
+    double normal() {
+        const double u = 1.0 - uniform();
+        return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * uniform());
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+}  // namespace gripscan

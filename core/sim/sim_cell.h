@@ -1,0 +1,56 @@
+// The simulated cell: an arm with a gripper in front of a stereo camera, rendered by ray tracing.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/camera/stereo_source.h"
+#include "core/geometry/box.h"
+#include "core/robot/robot_link.h"
+
+namespace gripscan {
+
+struct SimCellSettings {
+    std::uint64_t seed = 1;
+    std::string gripper = "two-finger";  ///< see sim_grippers()
+    std::string object;                  ///< empty: nothing in the gripper; see sim_objects()
+    bool with_arm = true;                ///< false: the arm is out of the picture (environment)
+    double noise_levels = 2.0;           ///< standard deviation, of 255
+    double blur_px = 0.6;                ///< Gaussian sigma
+    double texture_contrast = 0.0;       ///< 0: the default of the cell
+};
+
+/// Names of the built-in grippers and objects.
+[[nodiscard]] std::vector<std::string> sim_grippers();
+[[nodiscard]] std::vector<std::string> sim_objects();
+
+/// Everything an estimator may know: the rig, the region, the axis hint; images by `source()`,
+/// joints by `robot()`. The truth leaves only through write_truth().
+class SimCell {
+  public:
+    [[nodiscard]] static Result<SimCell> create(const SimCellSettings& settings);
+    SimCell(SimCell&&) noexcept;
+    SimCell& operator=(SimCell&&) noexcept;
+    ~SimCell();
+
+    [[nodiscard]] const StereoRig& rig() const;
+    [[nodiscard]] const Box& region() const;
+    [[nodiscard]] const Eigen::Vector3d& axis_hint() const;
+    /// Joint 6 at which the procedure starts, rad.
+    [[nodiscard]] double start_joint6_rad() const;
+    [[nodiscard]] StereoSource& source();
+    [[nodiscard]] RobotLink& robot();
+    /// Writes truth.json (axis, poses of the captures grabbed so far, in the camera frame) and
+    /// surface.ply (points on the true surface of gripper and object inside the region that at
+    /// least one capture grabbed so far has seen, in the camera frame of the first capture).
+    [[nodiscard]] Status write_truth(const std::filesystem::path& folder) const;
+
+  private:
+    struct Impl;
+    explicit SimCell(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gripscan
