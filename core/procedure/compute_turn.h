@@ -1,0 +1,33 @@
+// The one pipeline from a recording to Table 1 and the template: stereo, crop, registration.
+// Replay, the automatic run and the window all call this.
+#pragma once
+
+#include "core/base/for_each.h"
+#include "core/base/progress.h"
+#include "core/procedure/turn_recording.h"
+#include "core/registration/solve_turn.h"
+#include "core/stereo/stereo_cloud.h"
+
+namespace gripscan {
+
+struct ComputeTurnSettings {
+    StereoSettings stereo;
+    TurnSettings turn;
+    /// Clouds are cut to the region. Off: only matching is limited by it.
+    bool crop = true;
+};
+
+struct ComputedTurn {
+    TurnReport report;  ///< `poses` has one entry per capture of the recording, in order
+    /// Per capture; nothing where it was not used or came as a cloud.
+    std::vector<std::optional<StereoHealth>> health;
+};
+
+/// The result does not depend on the number of threads. Errors: captures that cannot be loaded or
+/// hold no points (named by their index), fewer than two used ones, cancelled. Steps that do not
+/// agree with the robot are rows of the report.
+[[nodiscard]] Result<ComputedTurn> compute_turn(const TurnRecording& recording,
+                                                const ComputeTurnSettings& settings,
+                                                const Progress& progress, const ForEach& for_each);
+
+}  // namespace gripscan

@@ -1,0 +1,15 @@
+// The parts that session.yaml and a cell file share. For the sources of this folder only.
+#pragma once
+
+#include "core/session/session_spec.h"
+#include "core/session/strict_yaml.h"
+
+namespace gripscan {
+
+/// `format: NAME` must be there and be this one.
+void require_format(StrictYaml& yaml, std::string_view format);
+[[nodiscard]] std::optional<Box> read_region(StrictYaml& yaml);
+[[nodiscard]] std::optional<Eigen::Vector3d> read_axis_hint(StrictYaml& yaml);
+[[nodiscard]] LimitsDeg read_limits(StrictYaml& yaml);
+
+}  // namespace gripscan
