@@ -18,9 +18,9 @@ struct StereoSettings {
     /// Disparity range, px. Nothing: from the region, else from the rig (0 … width/4).
     std::optional<int> min_disparity;
     std::optional<int> num_disparities;
-    bool refine = true;           ///< sub-pixel refinement against pixel locking
+    bool refine = true;  ///< sub-pixel refinement against pixel locking
     bool reject_silhouettes = true;
-    bool crop_to_region = true;   ///< after matching
+    bool crop_to_region = true;  ///< after matching
 };
 
 /// How well the pair could be used, inside the region where there is one.
@@ -33,8 +33,8 @@ struct StereoHealth {
 };
 
 struct StereoCloud {
-    Cloud cloud;              ///< organised, with normals, intensity, sigma; viewpoint at the origin
-    cv::Mat disparity;        ///< CV_32F of the full image, +inf where unknown
+    Cloud cloud;        ///< organised, with normals, intensity, sigma; viewpoint at the origin
+    cv::Mat disparity;  ///< CV_32F of the full image, +inf where unknown
     StereoHealth health;
 };
 

@@ -1,0 +1,48 @@
+// One Gauss–Newton step of the sub-pixel refinement (see refine.h for the equation), for every
+// pixel with its own patch.
+#pragma once
+
+#include <functional>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/base/for_each.h"
+#include "core/stereo/local_plane.h"
+
+namespace gripscan {
+
+/// What the patches read, CV_32F, padded by `pad` on every side.
+struct PhotometricMaps {
+    cv::Mat left;       ///< brightness, levels
+    cv::Mat gradient;   ///< its x-derivative, levels/px
+    cv::Mat disparity;  ///< current, px; 0 where unknown
+    cv::Mat known;      ///< 1 or 0
+    cv::Mat residual;   ///< right image at the current disparity minus left, levels
+    int pad;
+    cv::Size size;
+
+    PhotometricMaps(cv::Size roi, int padding);
+};
+
+struct PatchSettings {
+    float surface_tolerance_px;   ///< neighbours further from the plane are of another surface
+    float residual_limit_levels;  ///< neighbours that differ more in brightness do not count
+};
+
+/// Result of a pixel.
+struct PatchFit {
+    float step_px = 0.0F;   ///< to be added to the current disparity
+    float sigma_px = 0.0F;  ///< standard deviation predicted from texture and residual
+    float inliers = 0.0F;   ///< share of the patch's weight whose brightness fits
+    float lever_px = 0.0F;  ///< from the pixel to the centre of the texture that decided
+};
+
+/// Root mean square of the residual around its mean, levels, in a sparse grid of patches.
+[[nodiscard]] std::vector<float> patch_rms(const PhotometricMaps& maps, const LocalPlanes& planes);
+
+/// Calls `take(y, x, fit)` for every known pixel, rows side by side.
+void fit_patches(const PhotometricMaps& maps, const LocalPlanes& planes,
+                 const PatchSettings& settings, const ForEach& for_each,
+                 const std::function<void(int y, int x, const PatchFit&)>& take);
+
+}  // namespace gripscan

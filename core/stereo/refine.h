@@ -1,0 +1,41 @@
+// Sub-pixel refinement of a disparity map against pixel locking: Gauss–Newton on grey patches.
+//
+// Every pixel near p gives one linear equation for the plane p lies on, from the difference between
+// its own brightness and that of the right image at its current disparity:
+//     R(x − d_q) − L = G·(plane_p(q) − d_q) + offset + gain·L,      G = dL/dx / (1 − slope_x)
+// so the patch follows the slant, brightness may differ between the cameras, and neighbours of
+// another surface or with another brightness (occlusion) lose their weight. The derivative comes
+// from the left image at whole pixels: its noise is then independent of the interpolated one, and
+// noise pulls towards no fraction of a pixel.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/base/for_each.h"
+#include "core/camera/stereo_source.h"
+
+namespace gripscan {
+
+struct RefineSettings {
+    int radius = 6;  ///< of the patch, px; weights fall towards the rim
+    int iterations = 3;
+    float max_move_px = 1.5F;     ///< further from the first guess: not this surface
+    float max_sigma_px = 0.25F;   ///< predicted; above: too little texture
+    float min_inliers = 0.5F;     ///< share of the patch whose brightness fits
+    float max_lever_px = 2.0F;    ///< distance of the texture's centre from the pixel
+    float systematic_px = 0.02F;  ///< floor of sigma: what averaging does not remove
+};
+
+/// Maps of the roi, CV_32F. `disparity` and `sigma` (px, one standard deviation) are kNoDisparity
+/// where the images do not support the pixel.
+struct Refined {
+    cv::Mat disparity;
+    cv::Mat sigma;
+};
+
+/// `first_guess` covers `roi` of the left image.
+[[nodiscard]] Refined refine_disparity(const StereoFrame& rectified, const cv::Rect& roi,
+                                       const cv::Mat& first_guess, const RefineSettings& settings,
+                                       const ForEach& for_each);
+
+}  // namespace gripscan

@@ -1,0 +1,83 @@
+#include "core/stereo/stereo_cloud.h"
+
+#include <array>
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "core/stereo/fill.h"
+#include "core/stereo/health.h"
+#include "core/stereo/match.h"
+#include "core/stereo/refine.h"
+#include "core/stereo/reject.h"
+#include "core/stereo/search_area.h"
+#include "core/stereo/triangulate.h"
+
+namespace gripscan {
+namespace {
+
+/// Without refinement SGBM's error counts: mostly pixel locking.
+constexpr float kUnrefinedSigmaPx = 0.2F;
+
+Status check(const StereoFrame& frame, const RectifiedRig& rig) {
+    const std::array<std::pair<const char*, const cv::Mat*>, 2> images{
+        {{"left", &frame.left}, {"right", &frame.right}}};
+    for (const auto& [which, image] : images) {
+        if (image->type() != CV_8UC1) {
+            return input_error("the {} image must be 8-bit grey", which);
+        }
+        if (image->cols != rig.image.width || image->rows != rig.image.height) {
+            return input_error("the {} image is {} x {} px, the rig says {} x {}", which,
+                               image->cols, image->rows, rig.image.width, rig.image.height);
+        }
+    }
+    return {};
+}
+
+/// The full image with the disparities of the roi; dense where there is no region.
+cv::Mat full_disparity(const cv::Mat& measured, const cv::Mat& first_guess, const cv::Rect& roi,
+                       cv::Size size, bool dense) {
+    cv::Mat full(size, CV_32F, cv::Scalar(kNoDisparity));
+    measured.copyTo(full(roi));
+    if (!dense) return full;
+    cv::Mat trusted = first_guess.clone();
+    reject_islands(trusted, 100, 1.5F);
+    cv::Mat inside = full(roi);
+    for (int y = 0; y < roi.height; ++y) {
+        for (int x = 0; x < roi.width; ++x) {
+            float& d = inside.at<float>(y, x);
+            if (!std::isfinite(d)) d = trusted.at<float>(y, x);
+        }
+    }
+    fill_holes(full);
+    return full;
+}
+
+}  // namespace
+
+Result<StereoCloud> stereo_cloud(const StereoFrame& rectified, const RectifiedRig& rig,
+                                 const std::optional<Box>& region, const StereoSettings& settings,
+                                 const Progress& progress, const ForEach& for_each) {
+    if (const Status s = check(rectified, rig); !s) return forward_error(s.error());
+    const Result<SearchArea> area = search_area(rig, region, settings);
+    if (!area) return forward_error(area.error());
+    const cv::Rect& roi = area->roi;
+    const cv::Mat first_guess = match(rectified, *area);
+    if (progress.cancelled()) return cancelled_error();
+    Refined refined{first_guess.clone(),
+                    cv::Mat(roi.size(), CV_32F, cv::Scalar(kUnrefinedSigmaPx))};
+    if (settings.refine) {
+        refined = refine_disparity(rectified, roi, first_guess, RefineSettings{}, for_each);
+    }
+    if (progress.cancelled()) return cancelled_error();
+    StereoCloud result;
+    result.health = stereo_health(rectified, roi, refined.disparity);
+    cv::Mat kept = refined.disparity.clone();
+    if (settings.reject_silhouettes) reject_silhouettes(kept, RejectSettings{});
+    const std::optional<Box> keep = settings.crop_to_region ? region : std::nullopt;
+    result.cloud = triangulate(kept, refined.sigma, roi, rectified.left, rig, keep, for_each);
+    result.disparity = full_disparity(region ? kept : refined.disparity, first_guess, roi,
+                                      rectified.left.size(), !region);
+    return result;
+}
+
+}  // namespace gripscan
