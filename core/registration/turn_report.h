@@ -57,6 +57,8 @@ struct TurnStep {
     std::optional<Pose> T;                ///< x_to = T · x_from, camera frame
     std::optional<double> overlap;        ///< 0 … 1
     std::optional<double> rms_m;          ///< of the inliers, along the normal
+    std::optional<double> median_m;       ///< of their absolute residuals
+    std::optional<double> p90_m;
     Verdict verdict = Verdict::kReject;
     Cause cause = Cause::kNone;
     std::string sentence;  ///< the verdict in words: value, limit, reason
