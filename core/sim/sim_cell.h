@@ -5,12 +5,18 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/camera/stereo_source.h"
 #include "core/geometry/box.h"
 #include "core/robot/robot_link.h"
 
 namespace gripscan {
+
+/// Texture of gripper and object: standard deviation of the surface's brightness before lens and
+/// sensor, in levels of 255 where the surface is lit to about 105, such as sand-blasted or speckled
+/// metal. Grain from 1.5 mm (2 px at 0.74 m) to 12 mm.
+inline constexpr double kSimTextureLevels = 14.0;
 
 struct SimCellSettings {
     std::uint64_t seed = 1;
@@ -19,7 +25,7 @@ struct SimCellSettings {
     bool with_arm = true;                ///< false: the arm is out of the picture (environment)
     double noise_levels = 2.0;           ///< standard deviation, of 255
     double blur_px = 0.6;                ///< Gaussian sigma
-    double texture_contrast = 0.0;       ///< 0: the default of the cell
+    double texture_contrast = 0.0;       ///< levels; 0: kSimTextureLevels
 };
 
 /// Names of the built-in grippers and objects.
@@ -42,9 +48,10 @@ class SimCell {
     [[nodiscard]] double start_joint6_rad() const;
     [[nodiscard]] StereoSource& source();
     [[nodiscard]] RobotLink& robot();
-    /// Writes truth.json (axis, poses of the captures grabbed so far, in the camera frame) and
-    /// surface.ply (points on the true surface of gripper and object inside the region that at
-    /// least one capture grabbed so far has seen, in the camera frame of the first capture).
+    /// Writes truth.json (axis, rig, poses of the captures grabbed so far, in the camera frame),
+    /// surface.ply (the true surface of gripper and object as a mesh) and visible.ply (points of it
+    /// inside the region that both cameras have seen in at least one capture grabbed so far), both
+    /// in the camera frame of the first capture. At least one capture must have been grabbed.
     [[nodiscard]] Status write_truth(const std::filesystem::path& folder) const;
 
   private:
