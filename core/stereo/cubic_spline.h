@@ -21,7 +21,7 @@ struct SplineTaps {
     }
 };
 
-/// Coefficients along the rows of an 8-bit grey image, CV_32F, with `pad` mirrored columns on
+/// Coefficients along the rows of a grey image, CV_32F, with `pad` mirrored columns on
 /// either side. Interpolates in x only.
 [[nodiscard]] cv::Mat row_spline(const cv::Mat& grey, int pad, const ForEach& for_each);
 

@@ -1,5 +1,6 @@
 #include "core/stereo/local_plane.h"
 
+#include "core/stereo/match.h"
 #include "core/stereo/pixel_window.h"
 
 namespace gripscan {
@@ -92,9 +93,10 @@ LocalPlanes fit_local_planes(const cv::Mat& disparity, const PlaneSettings& sett
     const PaddedDisparity map(disparity, settings.radius);
     const std::vector<WindowTap> taps = window_taps(settings.radius);
     LocalPlanes planes;
-    for (cv::Mat* m : {&planes.value, &planes.slope_x, &planes.slope_y, &planes.support}) {
+    for (cv::Mat* m : {&planes.slope_x, &planes.slope_y, &planes.support}) {
         *m = cv::Mat::zeros(disparity.size(), CV_32F);
     }
+    planes.value = cv::Mat(disparity.size(), CV_32F, cv::Scalar(kNoDisparity));
     for_each_group(map.known, map.pad, disparity.size(), for_each, [&](int y, int x) {
         PlaneLanes plane;
         float tolerance = settings.tolerance_px;

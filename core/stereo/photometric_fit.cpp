@@ -1,6 +1,7 @@
 #include "core/stereo/photometric_fit.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/stereo/pixel_window.h"
 
@@ -14,16 +15,15 @@ struct PatchSums {
 };
 
 struct Slopes {
-    Lanes x{}, y{}, value{}, steepening{};
+    Lanes x{}, y{}, steepening{};
 };
 
-Slopes slopes_at(const LocalPlanes& planes, const float* centre, int y, int x) {
+Slopes slopes_at(const LocalPlanes& planes, int y, int x) {
     Slopes s;
     for (int i = 0; i < std::min(kLanes, planes.value.cols - x); ++i) {
         const auto lane = static_cast<std::size_t>(i);
         s.x[lane] = planes.slope_x.at<float>(y, x + i);
         s.y[lane] = planes.slope_y.at<float>(y, x + i);
-        s.value[lane] = planes.value.at<float>(y, x + i) - centre[i];
         // Beyond a slope of ±0.6 the patch is seen too obliquely for the relation to hold.
         s.steepening[lane] = 1.0F / (1.0F - std::clamp(s.x[lane], -0.6F, 0.6F));
     }
@@ -50,11 +50,10 @@ PatchSums gather(const PhotometricMaps& maps, const std::vector<WindowTap>& taps
         const float dy = static_cast<float>(tap.dy);
         for (std::size_t i = 0; i < kLanes; ++i) {
             const float off = disparity[i] - d0[i] - plane.x[i] * dx - plane.y[i] * dy;
-            const float beside = off - plane.value[i];
             const float g = gradient[i] * plane.steepening[i];
-            const float r = residual[i] + g * off;
+            const float r = residual[i];
             const float l = left[i] - l0[i];
-            const float m = tap.weight * known[i] * tukey(beside * beside * surface);
+            const float m = tap.weight * known[i] * tukey(off * off * surface);
             const float w = m * tukey(r * r * fit);
             const float wg = w * g;
             s.m[i] += m;
@@ -79,25 +78,27 @@ PatchSums gather(const PhotometricMaps& maps, const std::vector<WindowTap>& taps
 /// Eliminates offset and gain, then solves for the step.
 PatchFit solve(const PatchSums& s, std::size_t i) {
     PatchFit fit;
-    if (!(s.w[i] > 1.0F)) return PatchFit{0.0F, 1e9F, 0.0F, 1e9F};
+    fit.sigma_px = fit.lever_px = std::numeric_limits<float>::max();
+    if (!(s.w[i] > 1.0F)) return fit;
     const float w = s.w[i];
     const float gg = s.gg[i] - s.g[i] * s.g[i] / w;
     const float gl = s.gl[i] - s.g[i] * s.l[i] / w;
     const float gr = s.gr[i] - s.g[i] * s.r[i] / w;
     const float lr = s.lr[i] - s.l[i] * s.r[i] / w;
     const float rr = s.rr[i] - s.r[i] * s.r[i] / w;
+    const float ll = s.ll[i] - s.l[i] * s.l[i] / w;
     // The gain is expected within some percent of 1; a textureless patch must not invent one.
     constexpr float kGainPrior = 400.0F;
-    const float ll = s.ll[i] - s.l[i] * s.l[i] / w + kGainPrior;
-    const float information = gg - gl * gl / ll;
-    const float slope = gr - gl * lr / ll;
-    if (!(information > 1e-3F)) return PatchFit{0.0F, 1e9F, s.w[i] / s.m[i], 1e9F};
+    const float information = gg - gl * gl / (ll + kGainPrior);
+    const float slope = gr - gl * lr / (ll + kGainPrior);
+    fit.inliers = w / s.m[i];
+    fit.contrast = std::sqrt(std::max(ll / w, 0.0F));
+    if (!(information > 1e-3F)) return fit;
     fit.step_px = slope / information;
-    const float unexplained = std::max(0.0F, rr - lr * lr / ll - fit.step_px * slope);
+    const float unexplained = rr - lr * lr / (ll + kGainPrior) - fit.step_px * slope;
     // 8-bit images have a noise of their own of 0.4 levels even where the patch fits perfectly.
-    const float variance = std::max(unexplained / w, 0.16F);
-    fit.sigma_px = std::sqrt(variance * (s.ww_gg[i] / s.gg[i]) / information);
-    fit.inliers = s.w[i] / s.m[i];
+    fit.rms = std::sqrt(std::max(unexplained / w, 0.16F));
+    fit.sigma_px = fit.rms * std::sqrt(s.ww_gg[i] / s.gg[i] / information);
     fit.lever_px = std::hypot(s.ggx[i], s.ggy[i]) / s.gg[i];
     return fit;
 }
@@ -110,23 +111,20 @@ PhotometricMaps::PhotometricMaps(cv::Size roi, int padding) : pad(padding), size
     }
 }
 
-std::vector<float> patch_rms(const PhotometricMaps& maps, const LocalPlanes& planes) {
+std::vector<PatchFit> sample_patches(const PhotometricMaps& maps, const LocalPlanes& planes,
+                                     float surface_tolerance_px) {
     constexpr int kEveryRow = 4;
     const std::vector<WindowTap> taps = window_taps(maps.pad);
-    const PatchSettings everything{1.5F, 1e4F};
-    std::vector<float> rms;
+    const PatchSettings everything{surface_tolerance_px, 1e4F};
+    std::vector<PatchFit> fits;
     for (int y = 0; y < maps.size.height; y += kEveryRow) {
         const float* known = maps.known.ptr<float>(y + maps.pad) + maps.pad;
-        const float* d = maps.disparity.ptr<float>(y + maps.pad) + maps.pad;
         for (int x = 0; x + kLanes <= maps.size.width; x += 2 * kLanes) {
             if (known[x] == 0.0F) continue;
-            const Slopes plane = slopes_at(planes, d + x, y, x);
-            const PatchSums s = gather(maps, taps, y, x, plane, everything);
-            const float mean = s.r[0] / s.w[0];
-            rms.push_back(std::sqrt(std::max(s.rr[0] / s.w[0] - mean * mean, 0.0F)));
+            fits.push_back(solve(gather(maps, taps, y, x, slopes_at(planes, y, x), everything), 0));
         }
     }
-    return rms;
+    return fits;
 }
 
 void fit_patches(const PhotometricMaps& maps, const LocalPlanes& planes,
@@ -134,9 +132,8 @@ void fit_patches(const PhotometricMaps& maps, const LocalPlanes& planes,
                  const std::function<void(int y, int x, const PatchFit&)>& take) {
     const std::vector<WindowTap> taps = window_taps(maps.pad);
     for_each_group(maps.known, maps.pad, maps.size, for_each, [&](int y, int x) {
-        const float* d = maps.disparity.ptr<float>(y + maps.pad) + x + maps.pad;
         const float* known = maps.known.ptr<float>(y + maps.pad) + x + maps.pad;
-        const PatchSums s = gather(maps, taps, y, x, slopes_at(planes, d, y, x), settings);
+        const PatchSums s = gather(maps, taps, y, x, slopes_at(planes, y, x), settings);
         for (int i = 0; i < std::min(kLanes, maps.size.width - x); ++i) {
             if (known[i] > 0.0F) take(y, x + i, solve(s, static_cast<std::size_t>(i)));
         }

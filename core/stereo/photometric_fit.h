@@ -34,11 +34,15 @@ struct PatchFit {
     float step_px = 0.0F;   ///< to be added to the current disparity
     float sigma_px = 0.0F;  ///< standard deviation predicted from texture and residual
     float inliers = 0.0F;   ///< share of the patch's weight whose brightness fits
+    float rms = 0.0F;       ///< brightness residual that no step explains, levels
+    float contrast = 0.0F;  ///< standard deviation of the left patch, levels
     float lever_px = 0.0F;  ///< from the pixel to the centre of the texture that decided
 };
 
-/// Root mean square of the residual around its mean, levels, in a sparse grid of patches.
-[[nodiscard]] std::vector<float> patch_rms(const PhotometricMaps& maps, const LocalPlanes& planes);
+/// The fits of a sparse grid of patches, every neighbour's brightness counting.
+[[nodiscard]] std::vector<PatchFit> sample_patches(const PhotometricMaps& maps,
+                                                   const LocalPlanes& planes,
+                                                   float surface_tolerance_px);
 
 /// Calls `take(y, x, fit)` for every known pixel, rows side by side.
 void fit_patches(const PhotometricMaps& maps, const LocalPlanes& planes,

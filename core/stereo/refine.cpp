@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "core/stereo/cubic_spline.h"
 #include "core/stereo/local_plane.h"
@@ -14,6 +15,19 @@ namespace {
 constexpr int kSplinePad = 4;
 /// Tukey's limit for 95 % efficiency under normal noise.
 constexpr float kTukey = 4.7F;
+constexpr double kSmoothingPx = 0.5;
+/// The smoothing takes this share of the variance of white noise; as it also correlates
+/// neighbouring residuals, a patch knows no more than with the raw noise.
+constexpr float kNoiseKept = 0.41F;
+
+/// The rows of the roi, slightly smoothed: the highest frequencies hold more noise than texture,
+/// and what the sensor has aliased would pull towards whole pixels.
+cv::Mat smoothed(const cv::Mat& grey, const cv::Rect& roi) {
+    cv::Mat value, smooth;
+    grey.rowRange(roi.y, roi.y + roi.height).convertTo(value, CV_32F);
+    cv::GaussianBlur(value, smooth, {}, kSmoothingPx, kSmoothingPx, cv::BORDER_REFLECT);
+    return smooth;
+}
 
 /// Value of the right image at (x, row of `c`).
 float sample(const float* c, float x) {
@@ -26,14 +40,14 @@ float sample(const float* c, float x) {
 /// Brightness and x-derivative of the left image in the roi.
 void fill_left(const cv::Mat& left, const cv::Rect& roi, const ForEach& for_each,
                PhotometricMaps& maps) {
-    const cv::Mat c = row_spline(left.rowRange(roi.y, roi.y + roi.height), kSplinePad, for_each);
+    const cv::Mat c = row_spline(left, kSplinePad, for_each);
     for (int y = 0; y < roi.height; ++y) {
-        const auto* grey = left.ptr<uchar>(roi.y + y) + roi.x;
+        const auto* grey = left.ptr<float>(y) + roi.x;
         const auto* s = c.ptr<float>(y) + roi.x + kSplinePad;
         auto* value = maps.left.ptr<float>(y + maps.pad) + maps.pad;
         auto* slope = maps.gradient.ptr<float>(y + maps.pad) + maps.pad;
         for (int x = 0; x < roi.width; ++x) {
-            value[x] = static_cast<float>(grey[x]);
+            value[x] = grey[x];
             slope[x] = 0.5F * (s[x + 1] - s[x - 1]);
         }
     }
@@ -61,19 +75,30 @@ void fill_residuals(const cv::Mat& right_spline, const cv::Rect& roi, const cv::
     });
 }
 
-/// Scale of the brightness residuals where the match is good: the lower quartile of the patches'
-/// rms, so that wrong matches, of which there may be many, do not count.
-float noise_level(std::vector<float> values) {
+/// Scale of the brightness residuals where the match is right: the median over the patches with
+/// texture that the right image explains. Wrong matches, of which there may be many, do not count.
+float noise_level(const std::vector<PatchFit>& samples) {
     constexpr float kQuantisation = 0.5F;  // levels; two 8-bit images
+    constexpr float kTextured = 3.0F;      // levels
+    std::vector<float> values;
+    for (const PatchFit& fit : samples) {
+        if (fit.contrast > kTextured && fit.rms < 0.5F * fit.contrast) values.push_back(fit.rms);
+    }
     if (values.empty()) return kQuantisation;
-    const auto quartile = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
-    std::nth_element(values.begin(), quartile, values.end());
-    return std::max(*quartile, kQuantisation);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return std::max(*middle, kQuantisation);
 }
 
 bool supported(const PatchFit& fit, float move_px, float sigma_px, const RefineSettings& s) {
     return std::abs(move_px) <= s.max_move_px && sigma_px <= s.max_sigma_px &&
-           fit.inliers >= s.min_inliers && fit.lever_px <= s.max_lever_px;
+           fit.inliers >= s.min_inliers && fit.lever_px <= s.max_lever_px &&
+           fit.rms <= s.max_unexplained * fit.contrast;
+}
+
+/// So wrong that further iterations are wasted.
+bool hopeless(const PatchFit& fit) {
+    return fit.inliers < 0.3F || fit.rms > 0.95F * fit.contrast;
 }
 
 }  // namespace
@@ -82,31 +107,33 @@ Refined refine_disparity(const StereoFrame& rectified, const cv::Rect& roi,
                          const cv::Mat& first_guess, const RefineSettings& settings,
                          const ForEach& for_each) {
     PhotometricMaps maps(roi.size(), settings.radius);
-    fill_left(rectified.left, roi, for_each, maps);
-    const cv::Mat right_spline =
-        row_spline(rectified.right.rowRange(roi.y, roi.y + roi.height), kSplinePad, for_each);
-    Refined out{first_guess.clone(), cv::Mat(roi.size(), CV_32F, cv::Scalar(kNoDisparity))};
-    const int last = settings.iterations - 1;
-    float tolerance_px = 1.5F;
-    for (int iteration = 0; iteration <= last; ++iteration) {
-        PlaneSettings plane_settings;
-        plane_settings.radius = settings.radius;
-        const LocalPlanes planes = fit_local_planes(out.disparity, plane_settings, for_each);
-        fill_residuals(right_spline, roi, out.disparity, for_each, maps);
-        const float noise = noise_level(patch_rms(maps, planes));
-        const PatchSettings patch{tolerance_px, kTukey * noise};
-        const cv::Mat current = out.disparity.clone();
+    fill_left(smoothed(rectified.left, roi), roi, for_each, maps);
+    const cv::Mat right_spline = row_spline(smoothed(rectified.right, roi), kSplinePad, for_each);
+    cv::Mat current = first_guess;
+    Refined out{cv::Mat(roi.size(), CV_32F, cv::Scalar(kNoDisparity)),
+                cv::Mat(roi.size(), CV_32F, cv::Scalar(kNoDisparity))};
+    PlaneSettings plane_settings;
+    plane_settings.radius = settings.radius;
+    for (int iteration = 1; iteration <= settings.iterations; ++iteration) {
+        const LocalPlanes planes = fit_local_planes(current, plane_settings, for_each);
+        fill_residuals(right_spline, roi, planes.value, for_each, maps);
+        const float surface_px = iteration == 1 ? 1.5F : 0.75F;
+        const float noise = noise_level(sample_patches(maps, planes, surface_px));
+        const PatchSettings patch{surface_px, kTukey * noise};
+        const bool last = iteration == settings.iterations;
+        cv::Mat next(roi.size(), CV_32F, cv::Scalar(kNoDisparity));
         fit_patches(maps, planes, patch, for_each, [&](int y, int x, const PatchFit& fit) {
-            const float d = current.at<float>(y, x);
+            if (hopeless(fit)) return;
             const float step = std::clamp(fit.step_px, -0.75F, 0.75F);
-            out.disparity.at<float>(y, x) = d + step;
-            if (iteration < last) return;
-            const float sigma = std::hypot(fit.sigma_px, settings.systematic_px);
-            const bool ok = supported(fit, d + step - first_guess.at<float>(y, x), sigma, settings);
-            out.disparity.at<float>(y, x) = ok ? d + step : kNoDisparity;
-            out.sigma.at<float>(y, x) = ok ? sigma : kNoDisparity;
+            const float d = planes.value.at<float>(y, x) + step;
+            next.at<float>(y, x) = d;
+            const float sigma =
+                std::hypot(fit.sigma_px / std::sqrt(kNoiseKept), settings.systematic_px);
+            if (!last || !supported(fit, d - first_guess.at<float>(y, x), sigma, settings)) return;
+            out.disparity.at<float>(y, x) = d;
+            out.sigma.at<float>(y, x) = sigma;
         });
-        tolerance_px = std::max(0.75F, 0.7F * tolerance_px);
+        current = next;
     }
     return out;
 }
