@@ -24,7 +24,7 @@ struct Cloud {
 
     /// Organised clouds: cell of every point in the grid, row · grid_width + column, rising.
     std::vector<std::int32_t> cell;
-    int grid_width = 0;   ///< 0: no grid
+    int grid_width = 0;  ///< 0: no grid
     int grid_height = 0;
 
     /// Where the camera stood, m. Nothing: unknown.

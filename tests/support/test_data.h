@@ -17,7 +17,7 @@ namespace gripscan::test {
 
 }  // namespace gripscan::test
 
-/// Declares `path` as a folder of the test data, or skips the test, naming what is missing.
-#define GRIPSCAN_TEST_DATA(path, name)                                   \
-    const std::filesystem::path path = gripscan::test::data_folder() / (name); \
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "no test data at " << path
+/// Declares `variable` as a folder of the test data, or skips the test, naming what is missing.
+#define GRIPSCAN_TEST_DATA(variable, name)                                         \
+    const std::filesystem::path variable = gripscan::test::data_folder() / (name); \
+    if (!std::filesystem::exists(variable)) GTEST_SKIP() << "no test data at " << variable
