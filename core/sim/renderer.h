@@ -10,22 +10,29 @@
 
 namespace gripscan::sim {
 
+/// Whose eye it is, and how closely it looks. The rays of a pixel lie in a grid of cells, each
+/// somewhere within its own; where is decided by the seed and the pixel alone.
 struct Viewpoint {
     const Lens* lens = nullptr;
     Pose T_world_camera = Pose::Identity();
+    cv::Rect dense;      ///< where the gripper may be seen
+    int grid_dense = 3;  ///< 3 × 3 rays a pixel in there
+    int grid_else = 2;   ///< 2 × 2 elsewhere
     std::uint64_t jitter_seed = 0;
 };
 
-/// Rays a pixel, each in its own cell of a grid within the pixel: `inside` the rectangle (which
-/// holds the gripper) and outside. Squares of whole numbers.
-struct Sampling {
-    cv::Rect dense;
-    int rays_dense = 9;
-    int rays_else = 4;
+struct Picture {
+    cv::Mat brightness;  ///< CV_32F levels
+    cv::Mat live;        ///< CV_8U, not 0 where the brightness may change as joint 6 turns
 };
 
-/// CV_32F levels. The same for any number of threads.
-[[nodiscard]] cv::Mat render(const Shader& shader, const Viewpoint& view, const Sampling& sampling,
-                             const ForEach& for_each);
+/// Every pixel. The same for any number of threads.
+[[nodiscard]] Picture render_all(const Shader& shader, const Viewpoint& view,
+                                 const ForEach& for_each);
+
+/// Renders the live pixels again, for another angle of joint 6: the picture is then the same as
+/// from render_all(), at a tenth of the time.
+void render_live(const Shader& shader, const Viewpoint& view, Picture& picture,
+                 const ForEach& for_each);
 
 }  // namespace gripscan::sim

@@ -10,17 +10,27 @@
 
 namespace gripscan::sim {
 
-/// A place on a lamp, both in −1 … 1: which point of each panel this ray asks.
-using LampSample = Eigen::Vector2f;
+/// What one ray asks: where it starts, where it goes, and which point of each lamp's panel it
+/// takes (both in −1 … 1).
+struct ViewRay {
+    Eigen::Vector3f origin_m;
+    Eigen::Vector3f direction;
+    Eigen::Vector2f lamp_place;
+};
 
-/// Reads `scene`, which must outlive it; any number of threads may call it.
+/// Reads the scenes, which must outlive it; any number of threads may call it.
 class Shader {
   public:
-    Shader(const SceneModel& model, Lighting lighting, const RayScene& scene);
+    /// `swept` holds the volume that the turning parts take up over a whole turn.
+    Shader(const SceneModel& model, Lighting lighting, const RayScene& scene,
+           const RayScene& swept);
 
     /// Brightness in levels, without upper limit; 0 where the ray leaves the cell.
-    [[nodiscard]] float brightness(const Eigen::Vector3f& origin_m,
-                                   const Eigen::Vector3f& direction, const LampSample& at) const;
+    [[nodiscard]] float brightness(const ViewRay& ray) const;
+
+    /// False if the brightness is the same at every angle of joint 6: neither the ray nor the
+    /// light on its way to where the ray ends passes through the swept volume.
+    [[nodiscard]] bool depends_on_joint6(const ViewRay& ray) const;
 
   private:
     struct Finish {
@@ -28,13 +38,16 @@ class Shader {
         float gloss;
         TextureField texture;
     };
-    [[nodiscard]] float light(const Eigen::Vector3f& p_m, const Hit& hit,
-                              const Eigen::Vector3f& direction, float gloss, const LampSample& at,
-                              float& highlight) const;
+    struct Light {
+        float on_surface = 0.0F;
+        float highlight = 0.0F;
+    };
+    [[nodiscard]] Light light_at(const ViewRay& ray, const Hit& hit, float gloss) const;
 
     std::array<std::vector<Finish>, SceneModel::kBodies> finishes_;
     Lighting lighting_;
     const RayScene* scene_;
+    const RayScene* swept_;
 };
 
 }  // namespace gripscan::sim

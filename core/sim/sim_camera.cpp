@@ -1,8 +1,10 @@
 #include "core/sim/sim_camera.h"
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 
 #include "core/base/seeded_random.h"
+#include "core/sim/swept_volume.h"
 
 namespace gripscan::sim {
 namespace {
@@ -36,35 +38,41 @@ Result<std::unique_ptr<SimCamera>> SimCamera::create(const CellLayout& layout,
                                                      const CameraSettings& settings,
                                                      std::function<JointAngles()> true_joints,
                                                      ForEach for_each) {
-    auto scene = RayScene::create(model);
-    if (!scene) return forward_error(scene.error());
+    auto solids = RayScene::create(model);
+    if (!solids) return forward_error(solids.error());
+    auto swept = RayScene::create(swept_scene(model));
+    if (!swept) return forward_error(swept.error());
+    auto scenes = std::make_unique<Scenes>(Scenes{std::move(*solids), std::move(*swept)});
     return std::unique_ptr<SimCamera>(new SimCamera(layout, model, region, settings,
                                                     std::move(true_joints), std::move(for_each),
-                                                    std::move(*scene)));
+                                                    std::move(scenes)));
 }
 
 SimCamera::SimCamera(const CellLayout& layout, const SceneModel& model, const Box& region,
                      const CameraSettings& settings, std::function<JointAngles()> true_joints,
-                     ForEach for_each, RayScene scene)
+                     ForEach for_each, std::unique_ptr<Scenes> scenes)
     : settings_(settings),
       true_joints_(std::move(true_joints)),
       for_each_(std::move(for_each)),
-      scene_(std::make_unique<RayScene>(std::move(scene))),
-      shader_(model, make_lighting(layout.T_world_camera, layout.light_seed), *scene_),
-      eyes_{Eye{Lens(layout.rig.K_left, layout.rig.D_left, layout.rig.image),
-                layout.T_world_left(),
-                {}},
-            Eye{Lens(layout.rig.K_right, layout.rig.D_right, layout.rig.image),
-                layout.T_world_right(),
-                {}}} {
-    for (Eye& eye : eyes_) {
-        eye.dense = image_of(region, eye.T_world_eye.inverse() * layout.T_world_camera, eye.lens);
+      scenes_(std::move(scenes)),
+      shader_(model, make_lighting(layout.T_world_camera, layout.light_seed), scenes_->solids,
+              scenes_->swept),
+      eyes_{Eye{Lens(layout.rig.K_left, layout.rig.D_left, layout.rig.image), {}, {}},
+            Eye{Lens(layout.rig.K_right, layout.rig.D_right, layout.rig.image), {}, {}}} {
+    const std::array<Pose, 2> T_world_eye = {layout.T_world_left(), layout.T_world_right()};
+    for (std::size_t i = 0; i < eyes_.size(); ++i) {
+        Viewpoint& view = eyes_[i].view;
+        view.lens = &eyes_[i].lens;
+        view.T_world_camera = T_world_eye[i];
+        view.dense =
+            image_of(region, T_world_eye[i].inverse() * layout.T_world_camera, eyes_[i].lens);
+        view.jitter_seed = settings.noise_seed + i;
     }
 }
 
 Result<StereoFrame> SimCamera::grab(const FrameRequest& request) {
     const JointAngles joints_rad = true_joints_();
-    scene_->place(body_poses(joints_rad));
+    render(joints_rad);
     StereoFrame frame;
     frame.left = expose(0, request);
     frame.right = expose(1, request);
@@ -73,10 +81,26 @@ Result<StereoFrame> SimCamera::grab(const FrameRequest& request) {
     return frame;
 }
 
+void SimCamera::render(const JointAngles& joints_rad) {
+    if (rendered_rad_ == joints_rad) return;
+    const auto T_world_body = body_poses(joints_rad);
+    scenes_->solids.place(T_world_body);
+    scenes_->swept.place(T_world_body);
+    const bool only_joint6_moved =
+        rendered_rad_ &&
+        std::equal(joints_rad.begin(), joints_rad.end() - 1, rendered_rad_->begin());
+    for (Eye& eye : eyes_) {
+        if (only_joint6_moved) {
+            render_live(shader_, eye.view, eye.picture, for_each_);
+        } else {
+            eye.picture = render_all(shader_, eye.view, for_each_);
+        }
+    }
+    rendered_rad_ = joints_rad;
+}
+
 cv::Mat SimCamera::expose(std::size_t eye, const FrameRequest& request) const {
-    const Viewpoint view{&eyes_[eye].lens, eyes_[eye].T_world_eye, settings_.noise_seed + eye};
-    const cv::Mat brightness = render(shader_, view, {.dense = eyes_[eye].dense}, for_each_);
-    return sensor_image(brightness, settings_.sensor,
+    return sensor_image(eyes_[eye].picture.brightness, settings_.sensor,
                         noise_seed(settings_.noise_seed, request, eye), for_each_);
 }
 
