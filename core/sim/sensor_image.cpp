@@ -9,10 +9,12 @@ namespace gripscan::sim {
 
 cv::Mat sensor_image(const cv::Mat& brightness, const SensorSettings& settings,
                      std::uint64_t noise_seed, const ForEach& for_each) {
-    cv::Mat blurred = brightness;
+    cv::Mat blurred;  // its own memory: the brightness is used again for the next exposure
     if (settings.blur_px > 0.0) {
         cv::GaussianBlur(brightness, blurred, {}, settings.blur_px, settings.blur_px,
                          cv::BORDER_REPLICATE);
+    } else {
+        blurred = brightness;
     }
     cv::Mat image(brightness.size(), CV_8U);
     const double centre_x = (image.cols - 1) / 2.0;
