@@ -92,13 +92,25 @@ float noise_level(const std::vector<PatchFit>& samples) {
 
 bool supported(const PatchFit& fit, float move_px, float sigma_px, const RefineSettings& s) {
     return std::abs(move_px) <= s.max_move_px && sigma_px <= s.max_sigma_px &&
-           fit.inliers >= s.min_inliers && fit.lever_px <= s.max_lever_px &&
+           fit.inliers >= s.min_inliers && fit.lever_px <= s.max_gap_lever_px &&
            fit.rms <= s.max_unexplained * fit.contrast;
 }
 
 /// So wrong that further iterations are wasted.
 bool hopeless(const PatchFit& fit) {
     return fit.inliers < 0.3F || fit.rms > 0.95F * fit.contrast;
+}
+
+/// Pixels whose texture lies around them, and the gaps between such pixels. Beyond a silhouette the
+/// texture lies all on one side: the patch reaches over the rim, the surface does not.
+cv::Mat enclosed_by_texture(const cv::Mat1f& lever_px, const RefineSettings& settings) {
+    cv::Mat centred;
+    cv::compare(lever_px, settings.max_lever_px, centred, cv::CMP_LE);
+    const int size = 2 * settings.max_gap_px + 1;
+    const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(size, size));
+    cv::Mat closed;
+    cv::morphologyEx(centred, closed, cv::MORPH_CLOSE, disc);
+    return closed;
 }
 
 }  // namespace
@@ -112,6 +124,7 @@ Refined refine_disparity(const StereoFrame& rectified, const cv::Rect& roi,
     cv::Mat current = first_guess;
     Refined out{cv::Mat(roi.size(), CV_32F, cv::Scalar(kNoDisparity)),
                 cv::Mat(roi.size(), CV_32F, cv::Scalar(kNoDisparity))};
+    cv::Mat1f lever_px(roi.size(), kNoDisparity);
     PlaneSettings plane_settings;
     plane_settings.radius = settings.radius;
     for (int iteration = 1; iteration <= settings.iterations; ++iteration) {
@@ -132,9 +145,11 @@ Refined refine_disparity(const StereoFrame& rectified, const cv::Rect& roi,
             if (!last || !supported(fit, d - first_guess.at<float>(y, x), sigma, settings)) return;
             out.disparity.at<float>(y, x) = d;
             out.sigma.at<float>(y, x) = sigma;
+            lever_px(y, x) = fit.lever_px;
         });
         current = next;
     }
+    out.disparity.setTo(cv::Scalar(kNoDisparity), enclosed_by_texture(lever_px, settings) == 0);
     return out;
 }
 

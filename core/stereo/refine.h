@@ -19,12 +19,14 @@ namespace gripscan {
 struct RefineSettings {
     int radius = 6;  ///< of the patch, px; weights fall towards the rim
     int iterations = 3;
-    float max_move_px = 1.5F;      ///< further from the first guess: not this surface
-    float max_sigma_px = 0.25F;    ///< predicted; above: too little texture
-    float min_inliers = 0.5F;      ///< share of the patch whose brightness fits
-    float max_lever_px = 2.0F;     ///< distance of the texture's centre from the pixel
-    float max_unexplained = 0.7F;  ///< residual in units of the patch's contrast
-    float systematic_px = 0.02F;   ///< floor of sigma: what averaging does not remove
+    float max_move_px = 1.5F;       ///< further from the first guess: not this surface
+    float max_sigma_px = 0.25F;     ///< predicted; above: too little texture
+    float min_inliers = 0.5F;       ///< share of the patch whose brightness fits
+    float max_lever_px = 2.0F;      ///< distance of the texture's centre from the pixel …
+    float max_gap_lever_px = 4.5F;  ///< … and where the texture is around, but sparse
+    int max_gap_px = 5;             ///< half the width of a gap in the texture that is bridged
+    float max_unexplained = 0.7F;   ///< residual in units of the patch's contrast
+    float systematic_px = 0.02F;    ///< floor of sigma: what averaging does not remove
 };
 
 /// Maps of the roi, CV_32F. `disparity` and `sigma` (px, one standard deviation) are kNoDisparity

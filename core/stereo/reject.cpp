@@ -9,24 +9,45 @@
 namespace gripscan {
 namespace {
 
-/// 1 where a pixel is unknown or lies on either side of a step.
-cv::Mat1b edges(const cv::Mat& disparity, float step_px) {
-    cv::Mat1b edge(disparity.size(), uchar{0});
+cv::Mat disc(int radius_px) {
+    const int size = 2 * radius_px + 1;
+    return cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(size, size));
+}
+
+/// The connected pieces of a mask with more than `px` pixels.
+cv::Mat1b large_pieces(const cv::Mat& mask, int px) {
+    cv::Mat label, stats, centres;
+    cv::connectedComponentsWithStats(mask, label, stats, centres, 4);
+    cv::Mat1b large(mask.size(), uchar{0});
+    for (int y = 0; y < mask.rows; ++y) {
+        for (int x = 0; x < mask.cols; ++x) {
+            const int piece = label.at<int>(y, x);
+            if (piece > 0 && stats.at<int>(piece, cv::CC_STAT_AREA) > px) large(y, x) = 255;
+        }
+    }
+    return large;
+}
+
+/// 255 where the surface ends: at steps, and outside of it except for holes too small to hide a
+/// rim.
+cv::Mat1b surface_ends(const cv::Mat& disparity, const RejectSettings& settings) {
+    cv::Mat1b known(disparity.size(), uchar{0});
+    cv::Mat1b end(disparity.size(), uchar{0});
     const auto compare = [&](int y, int x, int y2, int x2) {
-        const float a = disparity.at<float>(y, x);
-        const float b = disparity.at<float>(y2, x2);
-        if (std::isfinite(a) && std::isfinite(b) && std::abs(a - b) > step_px) {
-            edge(y, x) = edge(y2, x2) = 1;
+        const float difference = disparity.at<float>(y, x) - disparity.at<float>(y2, x2);
+        if (std::isfinite(difference) && std::abs(difference) > settings.step_px) {
+            end(y, x) = end(y2, x2) = 255;
         }
     };
     for (int y = 0; y < disparity.rows; ++y) {
         for (int x = 0; x < disparity.cols; ++x) {
-            if (!std::isfinite(disparity.at<float>(y, x))) edge(y, x) = 1;
+            if (std::isfinite(disparity.at<float>(y, x))) known(y, x) = 255;
             if (x + 1 < disparity.cols) compare(y, x, y, x + 1);
             if (y + 1 < disparity.rows) compare(y, x, y + 1, x);
         }
     }
-    return edge;
+    end.setTo(255, large_pieces(known == 0, settings.max_hole_px));
+    return end;
 }
 
 }  // namespace
@@ -35,9 +56,7 @@ void reject_silhouettes(cv::Mat& disparity, const RejectSettings& settings) {
     // Speckles first: a hole of one bad pixel should not grow.
     reject_islands(disparity, settings.min_island_px, settings.step_px);
     cv::Mat1b near_edge;
-    const cv::Mat disc = cv::getStructuringElement(
-        cv::MORPH_ELLIPSE, cv::Size(2 * settings.rim_px + 1, 2 * settings.rim_px + 1));
-    cv::dilate(edges(disparity, settings.step_px), near_edge, disc);
+    cv::dilate(surface_ends(disparity, settings), near_edge, disc(settings.rim_px));
     disparity.setTo(cv::Scalar(kNoDisparity), near_edge);
     reject_islands(disparity, settings.min_island_px, settings.step_px);
 }

@@ -7,7 +7,8 @@ namespace gripscan {
 
 struct RejectSettings {
     float step_px = 1.5F;     ///< a larger step between neighbours, beyond the slant, is an edge
-    int rim_px = 2;           ///< pixels as near to an edge or a hole are dropped
+    int rim_px = 2;           ///< pixels as near to the end of a surface are dropped
+    int max_hole_px = 40;     ///< holes of fewer pixels within a surface are no edge
     int min_island_px = 150;  ///< smaller connected surfaces are dropped
 };
 

@@ -17,6 +17,9 @@ namespace {
 
 /// Without refinement SGBM's error counts: mostly pixel locking.
 constexpr float kUnrefinedSigmaPx = 0.2F;
+/// Smaller connected pieces of a first guess are chance matches.
+constexpr int kMinIslandPx = 100;
+constexpr float kIslandStepPx = 1.0F;
 
 Status check(const StereoFrame& frame, const RectifiedRig& rig) {
     const std::array<std::pair<const char*, const cv::Mat*>, 2> images{
@@ -39,13 +42,11 @@ cv::Mat full_disparity(const cv::Mat& measured, const cv::Mat& first_guess, cons
     cv::Mat full(size, CV_32F, cv::Scalar(kNoDisparity));
     measured.copyTo(full(roi));
     if (!dense) return full;
-    cv::Mat trusted = first_guess.clone();
-    reject_islands(trusted, 100, 1.5F);
     cv::Mat inside = full(roi);
     for (int y = 0; y < roi.height; ++y) {
         for (int x = 0; x < roi.width; ++x) {
             float& d = inside.at<float>(y, x);
-            if (!std::isfinite(d)) d = trusted.at<float>(y, x);
+            if (!std::isfinite(d)) d = first_guess.at<float>(y, x);
         }
     }
     fill_holes(full);
@@ -61,7 +62,8 @@ Result<StereoCloud> stereo_cloud(const StereoFrame& rectified, const RectifiedRi
     const Result<SearchArea> area = search_area(rig, region, settings);
     if (!area) return forward_error(area.error());
     const cv::Rect& roi = area->roi;
-    const cv::Mat first_guess = match(rectified, *area);
+    cv::Mat first_guess = match(rectified, *area);
+    reject_islands(first_guess, kMinIslandPx, kIslandStepPx);
     if (progress.cancelled()) return cancelled_error();
     Refined refined{first_guess.clone(),
                     cv::Mat(roi.size(), CV_32F, cv::Scalar(kUnrefinedSigmaPx))};
