@@ -8,6 +8,10 @@
 namespace gripscan {
 namespace {
 
+/// Variance of the gradient that noise makes, in units of the residual's variance (white noise in
+/// both images, smoothed as in refine.cpp).
+constexpr float kGradientNoise = 0.6F;
+
 /// Weighted sums of a patch, for eight pixels: w weight, g gradient, l left brightness relative to
 /// the centre, r residual at the plane.
 struct PatchSums {
@@ -94,11 +98,15 @@ PatchFit solve(const PatchSums& s, std::size_t i) {
     fit.inliers = w / s.m[i];
     fit.contrast = std::sqrt(std::max(ll / w, 0.0F));
     if (!(information > 1e-3F)) return fit;
-    fit.step_px = slope / information;
-    const float unexplained = rr - lr * lr / (ll + kGainPrior) - fit.step_px * slope;
+    const float unexplained = rr - lr * lr / (ll + kGainPrior) - slope * slope / information;
     // 8-bit images have a noise of their own of 0.4 levels even where the patch fits perfectly.
     fit.rms = std::sqrt(std::max(unexplained / w, 0.16F));
-    fit.sigma_px = fit.rms * std::sqrt(s.ww_gg[i] / s.gg[i] / information);
+    // What the noise alone adds to the gradients is no texture.
+    const float from_noise = kGradientNoise * fit.rms * fit.rms * w;
+    const float texture = std::max(information - from_noise, 0.5F * information);
+    fit.texture_to_noise = (information - from_noise) / from_noise;
+    fit.step_px = slope / texture;
+    fit.sigma_px = fit.rms * std::sqrt(s.ww_gg[i] / s.gg[i] / texture);
     fit.lever_px = std::hypot(s.ggx[i], s.ggy[i]) / s.gg[i];
     return fit;
 }

@@ -31,12 +31,13 @@ struct PatchSettings {
 
 /// Result of a pixel.
 struct PatchFit {
-    float step_px = 0.0F;   ///< to be added to the current disparity
-    float sigma_px = 0.0F;  ///< standard deviation predicted from texture and residual
-    float inliers = 0.0F;   ///< share of the patch's weight whose brightness fits
-    float rms = 0.0F;       ///< brightness residual that no step explains, levels
-    float contrast = 0.0F;  ///< standard deviation of the left patch, levels
-    float lever_px = 0.0F;  ///< from the pixel to the centre of the texture that decided
+    float step_px = 0.0F;           ///< to be added to the current disparity
+    float sigma_px = 0.0F;          ///< standard deviation predicted from texture and residual
+    float texture_to_noise = 0.0F;  ///< energy of the gradients against what noise makes of it
+    float inliers = 0.0F;           ///< share of the patch's weight whose brightness fits
+    float rms = 0.0F;               ///< brightness residual that no step explains, levels
+    float contrast = 0.0F;          ///< standard deviation of the left patch, levels
+    float lever_px = 0.0F;          ///< from the pixel to the centre of the texture that decided
 };
 
 /// The fits of a sparse grid of patches, every neighbour's brightness counting.

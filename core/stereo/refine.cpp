@@ -93,7 +93,8 @@ float noise_level(const std::vector<PatchFit>& samples) {
 bool supported(const PatchFit& fit, float move_px, float sigma_px, const RefineSettings& s) {
     return std::abs(move_px) <= s.max_move_px && sigma_px <= s.max_sigma_px &&
            fit.inliers >= s.min_inliers && fit.lever_px <= s.max_gap_lever_px &&
-           fit.rms <= s.max_unexplained * fit.contrast;
+           fit.rms <= s.max_unexplained * fit.contrast &&
+           fit.texture_to_noise >= s.min_texture_to_noise;
 }
 
 /// So wrong that further iterations are wasted.

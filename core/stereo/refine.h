@@ -26,7 +26,8 @@ struct RefineSettings {
     float max_gap_lever_px = 4.5F;  ///< … and where the texture is around, but sparse
     int max_gap_px = 5;             ///< half the width of a gap in the texture that is bridged
     float max_unexplained = 0.7F;   ///< residual in units of the patch's contrast
-    float systematic_px = 0.02F;    ///< floor of sigma: what averaging does not remove
+    float min_texture_to_noise = 1.0F;
+    float systematic_px = 0.02F;  ///< floor of sigma: what averaging does not remove
 };
 
 /// Maps of the roi, CV_32F. `disparity` and `sigma` (px, one standard deviation) are kNoDisparity
