@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <clocale>
 #include <fstream>
 #include <limits>
 
 #include "core/base/atomic_file.h"
+#include "tests/support/comma_locale.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 #include "tests/unit/cloud/sample_clouds.h"
@@ -150,16 +150,19 @@ TEST(SaveCloud, RefusesWhatItCannotKeepAndLeavesTheOldFile) {
     EXPECT_FALSE(save_cloud(folder / "c.ply", Cloud{}, {.metres_per_unit = 0.0}));
 }
 
-TEST(LoadCloud, ReadsTextWhateverTheLocale) {
+TEST(CloudFile, IsTheSameTextWhateverTheLocale) {
     const TemporaryFolder folder;
-    const auto path = folder / "c.xyz";
-    write_text(path, "0.5 1,5 -2.25\n");  // blanks and commas separate, in every locale
-    const std::string before = std::setlocale(LC_ALL, nullptr);
-    std::setlocale(LC_ALL, "de_DE.UTF-8");
-    const auto cloud = load_cloud(path);
-    std::setlocale(LC_ALL, before.c_str());
-    ASSERT_TRUE(cloud) << cloud.error().message;
-    EXPECT_EQ(cloud->points[0], Eigen::Vector3f(0.5F, 1.0F, 5.0F));
+    const Cloud cloud = test::random_cloud(21, 2000, test::kFieldSets - 1);
+    for (const char* name : {"c.pcd", "c.ply", "c.xyz"}) {
+        ASSERT_TRUE(save_cloud(folder / name, cloud, {.encoding = PcdEncoding::kAscii}));
+        const test::CommaLocale comma;
+        const auto again = folder / ("again-" + std::string(name));
+        ASSERT_TRUE(save_cloud(again, cloud, {.encoding = PcdEncoding::kAscii}));
+        EXPECT_EQ(read_whole_file(again).value(), read_whole_file(folder / name).value());
+        const auto read = load_cloud(folder / name);
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(read->points, cloud.points);
+    }
 }
 
 TEST(LoadCloud, XyzNamesTheBadLine) {
