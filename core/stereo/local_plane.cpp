@@ -8,7 +8,7 @@ namespace {
 
 /// Weighted sums of a plane fit, for eight pixels.
 struct PlaneSums {
-    Lanes w{}, x{}, y{}, xx{}, xy{}, yy{}, d{}, xd{}, yd{};
+    Lanes w, x, y, xx, xy, yy, d, xd, yd;
 };
 
 /// The plane relative to the centre pixel, for eight pixels.
@@ -37,53 +37,50 @@ struct PaddedDisparity {
     }
 };
 
-PlaneSums gather(const PaddedDisparity& map, const std::vector<WindowTap>& taps, int y, int x,
-                 const PlaneLanes& plane, float tolerance_px) {
-    PlaneSums s;
+GRIPSCAN_FAST PlaneSums gather(const PaddedDisparity& map, const std::vector<WindowTap>& taps,
+                               int y, int x, const PlaneLanes& plane, float tolerance_px) {
     const float scale = 1.0F / (tolerance_px * tolerance_px);
-    const float* centre = map.value.ptr<float>(y + map.pad) + x + map.pad;
+    const Lanes centre = load(map.value.ptr<float>(y + map.pad) + x + map.pad);
+    Lanes sw{}, sx{}, sy{}, sxx{}, sxy{}, syy{}, sd{}, sxd{}, syd{};
     for (const WindowTap& tap : taps) {
-        const float* value = map.value.ptr<float>(y + map.pad + tap.dy) + x + map.pad + tap.dx;
-        const float* known = map.known.ptr<float>(y + map.pad + tap.dy) + x + map.pad + tap.dx;
+        const int column = x + map.pad + tap.dx;
         const float dx = static_cast<float>(tap.dx);
         const float dy = static_cast<float>(tap.dy);
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const float d = value[i] - centre[i];
-            const float off = d - plane.value[i] - plane.slope_x[i] * dx - plane.slope_y[i] * dy;
-            const float w = tap.weight * known[i] * tukey(off * off * scale);
-            s.w[i] += w;
-            s.x[i] += w * dx;
-            s.y[i] += w * dy;
-            s.xx[i] += w * dx * dx;
-            s.xy[i] += w * dx * dy;
-            s.yy[i] += w * dy * dy;
-            s.d[i] += w * d;
-            s.xd[i] += w * dx * d;
-            s.yd[i] += w * dy * d;
-        }
+        const Lanes d = load(map.value.ptr<float>(y + map.pad + tap.dy) + column) - centre;
+        const Lanes known = load(map.known.ptr<float>(y + map.pad + tap.dy) + column);
+        const Lanes off = d - plane.value - plane.slope_x * dx - plane.slope_y * dy;
+        const Lanes w = tap.weight * known * tukey(off * off * scale);
+        const Lanes wd = w * d;
+        sw += w;
+        sx += w * dx;
+        sy += w * dy;
+        sxx += w * (dx * dx);
+        sxy += w * (dx * dy);
+        syy += w * (dy * dy);
+        sd += wd;
+        sxd += wd * dx;
+        syd += wd * dy;
     }
-    return s;
+    return {sw, sx, sy, sxx, sxy, syy, sd, sxd, syd};
 }
 
 void solve(const PlaneSums& s, PlaneLanes& plane) {
     // Slopes of windows that hold hardly more than a line are held near zero.
     constexpr float kRidge = 4.0F;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float w = std::max(s.w[i], 1e-6F);
-        const float mx = s.x[i] / w;
-        const float my = s.y[i] / w;
-        const float md = s.d[i] / w;
-        const float xx = s.xx[i] - mx * s.x[i] + kRidge;
-        const float yy = s.yy[i] - my * s.y[i] + kRidge;
-        const float xy = s.xy[i] - mx * s.y[i];
-        const float xd = s.xd[i] - mx * s.d[i];
-        const float yd = s.yd[i] - my * s.d[i];
-        const float det = xx * yy - xy * xy;
-        plane.slope_x[i] = (yy * xd - xy * yd) / det;
-        plane.slope_y[i] = (xx * yd - xy * xd) / det;
-        plane.value[i] = md - plane.slope_x[i] * mx - plane.slope_y[i] * my;
-        plane.support[i] = s.w[i];
-    }
+    const Lanes w = s.w + 1e-6F;
+    const Lanes mx = s.x / w;
+    const Lanes my = s.y / w;
+    const Lanes md = s.d / w;
+    const Lanes xx = s.xx - mx * s.x + kRidge;
+    const Lanes yy = s.yy - my * s.y + kRidge;
+    const Lanes xy = s.xy - mx * s.y;
+    const Lanes xd = s.xd - mx * s.d;
+    const Lanes yd = s.yd - my * s.d;
+    const Lanes det = xx * yy - xy * xy;
+    plane.slope_x = (yy * xd - xy * yd) / det;
+    plane.slope_y = (xx * yd - xy * xd) / det;
+    plane.value = md - plane.slope_x * mx - plane.slope_y * my;
+    plane.support = s.w;
 }
 
 }  // namespace
@@ -108,11 +105,10 @@ LocalPlanes fit_local_planes(const cv::Mat& disparity, const PlaneSettings& sett
         const float* known = map.known.ptr<float>(y + map.pad) + x + map.pad;
         for (int i = 0; i < std::min(kLanes, disparity.cols - x); ++i) {
             if (known[i] == 0.0F) continue;
-            const auto lane = static_cast<std::size_t>(i);
-            planes.value.at<float>(y, x + i) = centre[i] + plane.value[lane];
-            planes.slope_x.at<float>(y, x + i) = plane.slope_x[lane];
-            planes.slope_y.at<float>(y, x + i) = plane.slope_y[lane];
-            planes.support.at<float>(y, x + i) = plane.support[lane];
+            planes.value.at<float>(y, x + i) = centre[i] + plane.value[i];
+            planes.slope_x.at<float>(y, x + i) = plane.slope_x[i];
+            planes.slope_y.at<float>(y, x + i) = plane.slope_y[i];
+            planes.support.at<float>(y, x + i) = plane.support[i];
         }
     });
     return planes;

@@ -15,7 +15,7 @@ constexpr float kGradientNoise = 0.6F;
 /// Weighted sums of a patch, for eight pixels: w weight, g gradient, l left brightness relative to
 /// the centre, r residual at the plane.
 struct PatchSums {
-    Lanes m{}, w{}, g{}, l{}, r{}, gg{}, gl{}, gr{}, ll{}, lr{}, rr{}, ggx{}, ggy{}, ww_gg{};
+    Lanes m, w, g, l, r, gg, gl, gr, ll, lr, rr, ggx, ggy, ww_gg;
 };
 
 struct Slopes {
@@ -25,62 +25,58 @@ struct Slopes {
 Slopes slopes_at(const LocalPlanes& planes, int y, int x) {
     Slopes s;
     for (int i = 0; i < std::min(kLanes, planes.value.cols - x); ++i) {
-        const auto lane = static_cast<std::size_t>(i);
-        s.x[lane] = planes.slope_x.at<float>(y, x + i);
-        s.y[lane] = planes.slope_y.at<float>(y, x + i);
+        s.x[i] = planes.slope_x.at<float>(y, x + i);
+        s.y[i] = planes.slope_y.at<float>(y, x + i);
         // Beyond a slope of ±0.6 the patch is seen too obliquely for the relation to hold.
-        s.steepening[lane] = 1.0F / (1.0F - std::clamp(s.x[lane], -0.6F, 0.6F));
+        s.steepening[i] = 1.0F / (1.0F - std::clamp(s.x[i], -0.6F, 0.6F));
     }
     return s;
 }
 
-PatchSums gather(const PhotometricMaps& maps, const std::vector<WindowTap>& taps, int y, int x,
-                 const Slopes& plane, const PatchSettings& settings) {
-    PatchSums s;
+GRIPSCAN_FAST PatchSums gather(const PhotometricMaps& maps, const std::vector<WindowTap>& taps,
+                               int y, int x, const Slopes& plane, const PatchSettings& settings) {
     const float surface = 1.0F / (settings.surface_tolerance_px * settings.surface_tolerance_px);
     const float fit = 1.0F / (settings.residual_limit_levels * settings.residual_limit_levels);
-    const auto at = [&](const cv::Mat& map, const WindowTap& tap) {
-        return map.ptr<float>(y + maps.pad + tap.dy) + x + maps.pad + tap.dx;
-    };
-    const float* d0 = maps.disparity.ptr<float>(y + maps.pad) + x + maps.pad;
-    const float* l0 = maps.left.ptr<float>(y + maps.pad) + x + maps.pad;
+    const Lanes d0 = load(maps.disparity.ptr<float>(y + maps.pad) + x + maps.pad);
+    const Lanes l0 = load(maps.left.ptr<float>(y + maps.pad) + x + maps.pad);
+    Lanes sm{}, sw{}, sg{}, sl{}, sr{}, sgg{}, sgl{}, sgr{}, sll{}, slr{}, srr{};
+    Lanes sggx{}, sggy{}, swwgg{};
     for (const WindowTap& tap : taps) {
-        const float* left = at(maps.left, tap);
-        const float* gradient = at(maps.gradient, tap);
-        const float* disparity = at(maps.disparity, tap);
-        const float* known = at(maps.known, tap);
-        const float* residual = at(maps.residual, tap);
+        const int row = y + maps.pad + tap.dy;
+        const int column = x + maps.pad + tap.dx;
         const float dx = static_cast<float>(tap.dx);
         const float dy = static_cast<float>(tap.dy);
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const float off = disparity[i] - d0[i] - plane.x[i] * dx - plane.y[i] * dy;
-            const float g = gradient[i] * plane.steepening[i];
-            const float r = residual[i];
-            const float l = left[i] - l0[i];
-            const float m = tap.weight * known[i] * tukey(off * off * surface);
-            const float w = m * tukey(r * r * fit);
-            const float wg = w * g;
-            s.m[i] += m;
-            s.w[i] += w;
-            s.g[i] += wg;
-            s.l[i] += w * l;
-            s.r[i] += w * r;
-            s.gg[i] += wg * g;
-            s.gl[i] += wg * l;
-            s.gr[i] += wg * r;
-            s.ll[i] += w * l * l;
-            s.lr[i] += w * l * r;
-            s.rr[i] += w * r * r;
-            s.ggx[i] += wg * g * dx;
-            s.ggy[i] += wg * g * dy;
-            s.ww_gg[i] += wg * wg;
-        }
+        const Lanes off =
+            load(maps.disparity.ptr<float>(row) + column) - d0 - plane.x * dx - plane.y * dy;
+        const Lanes g = load(maps.gradient.ptr<float>(row) + column) * plane.steepening;
+        const Lanes r = load(maps.residual.ptr<float>(row) + column);
+        const Lanes l = load(maps.left.ptr<float>(row) + column) - l0;
+        const Lanes m =
+            tap.weight * load(maps.known.ptr<float>(row) + column) * tukey(off * off * surface);
+        const Lanes w = m * tukey(r * r * fit);
+        const Lanes wg = w * g;
+        const Lanes wl = w * l;
+        const Lanes wgg = wg * g;
+        sm += m;
+        sw += w;
+        sg += wg;
+        sl += wl;
+        sr += w * r;
+        sgg += wgg;
+        sgl += wg * l;
+        sgr += wg * r;
+        sll += wl * l;
+        slr += wl * r;
+        srr += w * r * r;
+        sggx += wgg * dx;
+        sggy += wgg * dy;
+        swwgg += wg * wg;
     }
-    return s;
+    return {sm, sw, sg, sl, sr, sgg, sgl, sgr, sll, slr, srr, sggx, sggy, swwgg};
 }
 
 /// Eliminates offset and gain, then solves for the step.
-PatchFit solve(const PatchSums& s, std::size_t i) {
+PatchFit solve(const PatchSums& s, int i) {
     PatchFit fit;
     fit.sigma_px = fit.lever_px = std::numeric_limits<float>::max();
     if (!(s.w[i] > 1.0F)) return fit;
@@ -143,7 +139,7 @@ void fit_patches(const PhotometricMaps& maps, const LocalPlanes& planes,
         const float* known = maps.known.ptr<float>(y + maps.pad) + x + maps.pad;
         const PatchSums s = gather(maps, taps, y, x, slopes_at(planes, y, x), settings);
         for (int i = 0; i < std::min(kLanes, maps.size.width - x); ++i) {
-            if (known[i] > 0.0F) take(y, x + i, solve(s, static_cast<std::size_t>(i)));
+            if (known[i] > 0.0F) take(y, x + i, solve(s, i));
         }
     });
 }

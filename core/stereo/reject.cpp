@@ -55,9 +55,12 @@ cv::Mat1b surface_ends(const cv::Mat& disparity, const RejectSettings& settings)
 void reject_silhouettes(cv::Mat& disparity, const RejectSettings& settings) {
     // Speckles first: a hole of one bad pixel should not grow.
     reject_islands(disparity, settings.min_island_px, settings.step_px);
-    cv::Mat1b near_edge;
-    cv::dilate(surface_ends(disparity, settings), near_edge, disc(settings.rim_px));
-    disparity.setTo(cv::Scalar(kNoDisparity), near_edge);
+    // Eroded by the rim, then opened: thin spikes of a fattened rim go too.
+    cv::Mat kept = surface_ends(disparity, settings) == 0;
+    const int spike_px = settings.rim_px + settings.spike_px;
+    cv::erode(kept, kept, disc(spike_px), cv::Point(-1, -1), 1, cv::BORDER_CONSTANT, 0);
+    cv::dilate(kept, kept, disc(settings.spike_px));
+    disparity.setTo(cv::Scalar(kNoDisparity), kept == 0);
     reject_islands(disparity, settings.min_island_px, settings.step_px);
 }
 
