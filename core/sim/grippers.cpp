@@ -40,27 +40,27 @@ Part placed(Part part, const Pose& T) {
 }
 
 Gripper two_finger() {
-    constexpr double kOpening_m = 0.044;
+    constexpr double kOpening_m = 0.046;
     Gripper gripper;
     add(gripper, adapter());
     add(gripper,
-        {box_part("palm", {0.116, 0.064, 0.050}, {0, 0, 0.053}, blasted_aluminium(), 0.005),
-         box_part("rail", {0.124, 0.026, 0.012}, {0, 0, 0.082}, blasted_steel()),
-         box_part("connector", {0.016, 0.034, 0.022}, {-0.064, 0.006, 0.050}, dark_plastic()),
-         box_part("name plate", {0.044, 0.004, 0.026}, {-0.022, -0.033, 0.056}, light_plastic(),
-                  0.0008)});
-    const Pose right = frame_at({kOpening_m / 2.0, 0, 0.098});
-    const Pose left = frame_at({-kOpening_m / 2.0, 0, 0.098}) * turned_about_z(std::numbers::pi);
-    add(gripper, {box_part("carriage", {0.030, 0.046, 0.014}, {0.037, 0, 0.092}, blasted_steel()),
-                  box_part("carriage", {0.030, 0.046, 0.014}, {-0.037, 0, 0.092}, blasted_steel()),
-                  placed(finger("finger", 0.066, 0.024, 0.024, 0.010), right),
-                  placed(finger("finger", 0.066, 0.024, 0.024, 0.010), left),
+        {box_part("palm", {0.122, 0.072, 0.062}, {0, 0, 0.059}, blasted_aluminium(), 0.005),
+         box_part("rail", {0.130, 0.030, 0.012}, {0, 0, 0.094}, blasted_steel()),
+         box_part("connector", {0.016, 0.036, 0.026}, {-0.067, 0.008, 0.054}, dark_plastic()),
+         box_part("name plate", {0.046, 0.004, 0.030}, {-0.024, -0.037, 0.062}, light_plastic(),
+                  0.0008),
+         box_part("carriage", {0.032, 0.052, 0.014}, {0.039, 0, 0.104}, blasted_steel()),
+         box_part("carriage", {0.032, 0.052, 0.014}, {-0.039, 0, 0.104}, blasted_steel())});
+    const Pose right = frame_at({kOpening_m / 2.0, 0, 0.110});
+    const Pose left = frame_at({-kOpening_m / 2.0, 0, 0.110}) * turned_about_z(std::numbers::pi);
+    add(gripper, {placed(finger("finger", 0.064, 0.028, 0.026, 0.012), right),
+                  placed(finger("finger", 0.064, 0.028, 0.026, 0.012), left),
                   // Only one finger carries a stop.
-                  box_part("stop", {0.012, 0.016, 0.020}, {0.048, 0.012, 0.112}, blasted_steel())});
-    add(gripper, sensor(frame_at({0.020, 0.047, 0.058})));
-    add(gripper, hose_fitting(frame_at({0.040, -0.031, 0.046}, -Vector3d::UnitY())));
-    add(gripper, hose_fitting(frame_at({0.056, 0.018, 0.062}, Vector3d::UnitX())));
-    gripper.T_tool_grasp = frame_at({0, 0, 0.146});
+                  box_part("stop", {0.012, 0.018, 0.022}, {0.051, 0.012, 0.124}, blasted_steel())});
+    add(gripper, sensor(frame_at({0.022, 0.051, 0.064})));
+    add(gripper, hose_fitting(frame_at({0.040, -0.035, 0.050}, -Vector3d::UnitY())));
+    add(gripper, hose_fitting(frame_at({0.060, 0.020, 0.070}, Vector3d::UnitX())));
+    gripper.T_tool_grasp = frame_at({0, 0, 0.152});
     gripper.opening_m = kOpening_m;
     return gripper;
 }
@@ -137,8 +137,8 @@ Gripper suction() {
          box_part("plate", {0.150, 0.090, 0.012}, {0, 0, 0.074}, blasted_aluminium()),
          box_part("ejector", {0.056, 0.024, 0.030}, {0.036, 0.024, 0.054}, light_plastic()),
          box_part("switch", {0.020, 0.030, 0.020}, {-0.040, -0.024, 0.058}, dark_plastic())});
-    for (const double x : {-0.058, 0.058}) {
-        for (const double y : {-0.030, 0.030}) gripper.parts.push_back(cup({x, y, 0.110}));
+    for (const double x : {-0.034, 0.034}) {
+        for (const double y : {-0.021, 0.021}) gripper.parts.push_back(cup({x, y, 0.110}));
     }
     add(gripper, hose_fitting(frame_at({0.062, 0.024, 0.050}, Vector3d::UnitX())));
     add(gripper, hose_fitting(frame_at({-0.055, 0.030, 0.066}, -Vector3d::UnitZ())));

@@ -120,7 +120,7 @@ std::vector<std::string> object_names() {
 std::vector<Part> make_object(const std::string& name, double opening_m) {
     const auto maker = makers().find(name);
     if (maker == makers().end()) return {};
-    constexpr double kWidthForSuction_m = 0.050;
+    constexpr double kWidthForSuction_m = 0.100;
     std::vector<Part> parts = maker->second(opening_m > 0.0 ? opening_m : kWidthForSuction_m);
     if (opening_m > 0.0) return parts;
     double back_m = 0.0;
