@@ -1,1 +1,69 @@
-int main() { return 0; }
+// The program: options, wiring, exit status.
+
+#include <opencv2/core/utility.hpp>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/interrupt.h"
+
+namespace gripscan::app {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  gripscan run gripper --cell sim --out monday     a whole turn in the simulated cell\n"
+    "  gripscan replay monday --out /tmp/again --json   the same recording computed again\n"
+    "  gripscan report monday                           Table 1 as CSV and as a page\n"
+    "  gripscan export monday --out gripper.ply --unit mm\n"
+    "\n"
+    "Exit status: 0 every step accepted, 1 done but not to be trusted, 2 wrong usage or input,\n"
+    "3 device or link, 4 cancelled.";
+
+int run(const CLI::App& app, const Action& action, const CommonOptions& common) {
+    if (!action) {
+        return report_error(
+            input_error("the window is not part of this version; see `{} --help`", app.get_name())
+                .value());
+    }
+    const Interrupt interrupt;
+    // Captures run side by side on our own threads; OpenCV adds none of its own.
+    cv::setNumThreads(1);
+    try {
+        const auto status = action(Context{common, interrupt.token()});
+        return status ? *status : report_error(status.error());
+    } catch (const std::bad_alloc&) {
+        return report_error(input_error("not enough memory").value());
+    } catch (const std::exception& e) {
+        return report_error(input_error("internal error: {}; please report it", e.what()).value());
+    }
+}
+
+int parse_and_run(int argc, char** argv) {
+    CLI::App app("gripscan: point clouds of a robot's gripper, checked against the robot",
+                 "gripscan");
+    app.set_version_flag("--version", "gripscan " GRIPSCAN_VERSION);
+    app.require_subcommand(0, 1);
+    app.footer(kFooter);
+    CommonOptions common;
+    Action action;
+    const CommandLine line{app, common, action};
+    add_run(line);
+    add_replay(line);
+    add_align(line);
+    add_stereo(line);
+    add_export(line);
+    add_report(line);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? kDone : kWrongInput;
+    }
+    return run(app, action, common);
+}
+
+}  // namespace
+}  // namespace gripscan::app
+
+int main(int argc, char** argv) {
+    return gripscan::app::parse_and_run(argc, argv);
+}

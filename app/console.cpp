@@ -1,0 +1,33 @@
+#include "app/console.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+namespace gripscan::app {
+
+void print_result(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+}
+
+void say(const Context& context, std::string_view text) {
+    if (!context.options.quiet) fmt::print(stderr, "gripscan: {}\n", text);
+}
+
+ExitStatus report_error(const Error& error) {
+    fmt::print(stderr, "gripscan: {}\n", error.message);
+    switch (error.kind) {
+        case ErrorKind::kInput:
+            return kWrongInput;
+        case ErrorKind::kDevice:
+            return kDeviceFailed;
+        case ErrorKind::kCancelled:
+            return kCancelled;
+        case ErrorKind::kRejected:
+            return kNotTrusted;
+    }
+    return kWrongInput;
+}
+
+}  // namespace gripscan::app

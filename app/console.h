@@ -1,0 +1,17 @@
+// The two streams: results on standard output, everything else on standard error.
+#pragma once
+
+#include <string_view>
+
+#include "app/context.h"
+
+namespace gripscan::app {
+
+/// The one JSON document of `--json`, or the text of a result.
+void print_result(std::string_view text);
+/// A remark for people; silent with --quiet.
+void say(const Context& context, std::string_view text);
+/// Reports the error and returns the exit status of its kind.
+[[nodiscard]] ExitStatus report_error(const Error& error);
+
+}  // namespace gripscan::app

@@ -1,0 +1,46 @@
+#include "app/turn_options.h"
+
+#include <map>
+
+#include "core/base/units.h"
+
+namespace gripscan::app {
+
+PaperIcpSettings PaperIcpOptions::settings() const {
+    PaperIcpSettings settings;
+    settings.max_correspondence_m = max_correspondence_mm / kMmPerM;
+    settings.iterations = iterations;
+    settings.voxel_m = voxel_mm / kMmPerM;
+    return settings;
+}
+
+void TurnOptions::apply_to(ComputeTurnSettings& settings) const {
+    settings.turn.method = method;
+    settings.turn.paper_icp = icp.settings();
+    settings.crop = !no_crop;
+}
+
+void add_method_options(CLI::App& command, TurnMethod& method, PaperIcpOptions& icp) {
+    static const std::map<std::string, TurnMethod> kMethods{{"turn", TurnMethod::kTurn},
+                                                            {"paper-icp", TurnMethod::kPaperIcp}};
+    command
+        .add_option("--method", method,
+                    "turn: ours; paper-icp: point-to-point ICP from the identity, as published")
+        ->transform(CLI::CheckedTransformer(kMethods))
+        ->option_text("turn|paper-icp");
+    command
+        .add_option("--icp-max-correspondence-mm", icp.max_correspondence_mm,
+                    "paper-icp: pairs further apart are left out (50)")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--icp-iterations", icp.iterations, "paper-icp: iterations at most (10)")
+        ->check(CLI::Range(1, 100000));
+    command.add_option("--icp-voxel-mm", icp.voxel_mm, "paper-icp: thinning before (0: none)")
+        ->check(CLI::NonNegativeNumber);
+}
+
+void add_turn_options(CLI::App& command, TurnOptions& options) {
+    add_method_options(command, options.method, options.icp);
+    command.add_flag("--no-crop", options.no_crop, "Keep points outside the region after matching");
+}
+
+}  // namespace gripscan::app
