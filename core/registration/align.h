@@ -13,24 +13,24 @@
 namespace gripscan {
 
 struct AlignSettings {
-    std::uint64_t seed = 1;        ///< of the perturbed starts
+    std::uint64_t seed = 1;  ///< of the perturbed starts
     /// Cone of rotations (about any axis) the perturbed starts are drawn from. Identity is always
     /// one of them.
     double start_cone_rad = 0.7;
     int starts = 16;
-    std::size_t coarse_points = 1200;   ///< points of a start
-    std::size_t fine_points = 12000;    ///< points of the final estimate
+    std::size_t coarse_points = 1200;  ///< points of a start
+    std::size_t fine_points = 12000;   ///< points of the final estimate
     TurnLimits limits;
 };
 
 /// What is known about the motion that maps the source onto the target.
 struct Alignment {
     Pose T_target_source = Pose::Identity();
-    bool found = false;         ///< false: T is meaningless
-    double angle_rad = 0.0;     ///< rotation angle of T, ≥ 0
+    bool found = false;                               ///< false: T is meaningless
+    double angle_rad = 0.0;                           ///< rotation angle of T, ≥ 0
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< of the rotation, right-hand rule
-    double overlap = 0.0;       ///< share of the source that should be visible in the target and is
-    double rms_m = 0.0;         ///< of the inliers, along the normal
+    double overlap = 0.0;  ///< share of the source that should be visible in the target and is
+    double rms_m = 0.0;    ///< of the inliers, along the normal
     double median_m = 0.0;
     double p90_m = 0.0;
     /// Covariance of [ω; v] (rad, m) about the centroid of the matched points, target frame.

@@ -11,8 +11,8 @@ std::string_view word(Verdict verdict) {
 
 std::string_view word(Cause cause) {
     constexpr std::array<std::string_view, 17> kWords{
-        "none",    "overlap",  "symmetry", "texture", "exposure",     "settle",
-        "wrong_joint", "ratio", "backlash", "sign",    "slip",         "loose",
+        "none",         "overlap",     "symmetry",         "texture",       "exposure", "settle",
+        "wrong_joint",  "ratio",       "backlash",         "sign",          "slip",     "loose",
         "moved_camera", "mislabelled", "depth_distortion", "not_converged", "link"};
     return kWords[static_cast<std::size_t>(cause)];
 }

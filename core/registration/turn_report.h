@@ -16,8 +16,23 @@ namespace gripscan {
 
 enum class Verdict { kAccept, kCheck, kReject, kAcceptNoted };
 enum class Cause {
-    kNone, kOverlap, kSymmetry, kTexture, kExposure, kSettle, kWrongJoint, kRatio, kBacklash,
-    kSign, kSlip, kLoose, kMovedCamera, kMislabelled, kDepthDistortion, kNotConverged, kLink,
+    kNone,
+    kOverlap,
+    kSymmetry,
+    kTexture,
+    kExposure,
+    kSettle,
+    kWrongJoint,
+    kRatio,
+    kBacklash,
+    kSign,
+    kSlip,
+    kLoose,
+    kMovedCamera,
+    kMislabelled,
+    kDepthDistortion,
+    kNotConverged,
+    kLink,
 };
 enum class TurnMode { kFree, kPrior, kAxisLocked };
 enum class SignSource { kAxisHint, kJoint, kAssumed };
@@ -86,7 +101,7 @@ struct TurnReport {
     /// T_first_k for every line of captures.csv; nothing where the capture was not merged.
     std::vector<std::optional<Pose>> poses;
     std::optional<double> angle_scale;  ///< estimated robot scale, where the data say so
-    Cloud merged;  ///< the template, in the frame of the first used capture
+    Cloud merged;                       ///< the template, in the frame of the first used capture
 };
 
 /// Every used step accept or accept_noted.

@@ -1,0 +1,217 @@
+#include "core/registration/align_surfaces.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/units.h"
+#include "core/registration/point_to_plane.h"
+#include "core/registration/quality.h"
+#include "core/registration/search.h"
+#include "core/registration/texture_rows.h"
+
+namespace gripscan {
+namespace {
+
+/// A candidate that matches less than this share of the samples is no alignment.
+constexpr double kLeastMatched = 0.25;
+/// A rival minimum this close in score (or closer) is as good as the best one.
+constexpr double kRivalMargin = 0.05;
+/// Below this share of the possible lever arm the turn cannot be told from no turn.
+constexpr double kLeastObservability = 0.08;
+/// Minima whose refined poses differ by more than this are different answers.
+constexpr double kDifferentAnswer_rad = 1.0 * kRadPerDeg;
+/// Starts of the second search, over all rotations, when the first one convinces nobody.
+constexpr int kWideStarts = 240;
+
+/// Patches over which noise is taken as correlated, in radii of the part.
+constexpr double kPatch = 0.3;
+
+struct Finalist {
+    Alignment alignment;
+    double score = 0.0;
+    int starts = 0;
+};
+
+/// Refines the best candidates at full resolution and ranks them anew.
+std::vector<Finalist> finals(const Surface& source, const Surface& target,
+                             const DepthMap* source_map, const DepthMap* target_map,
+                             std::vector<Candidate> candidates, const AlignSettings& settings,
+                             const ForEach& for_each) {
+    constexpr std::size_t kFinalists = 4;
+    const double best = candidates.front().agreement.score;
+    std::erase_if(candidates, [&](const Candidate& c) { return c.agreement.score < best - 0.25; });
+    if (candidates.size() > kFinalists) candidates.resize(kFinalists);
+    const auto source_sample = spread_sample(source, settings.coarse_points);
+    const auto target_sample = spread_sample(target, settings.coarse_points);
+    const double tolerance_m = std::max(0.02 * std::max(source.radius_m, target.radius_m),
+                                        2.0 * std::max(source.spacing_m, target.spacing_m));
+    std::vector<Finalist> result(candidates.size());
+    for_each(candidates.size(), [&](std::size_t i) {
+        Finalist& f = result[i];
+        f.alignment = finish_alignment(source, target, candidates[i].T_target_source, settings);
+        f.starts = candidates[i].starts;
+        f.score = agreement(source, target, source_map, target_map, source_sample, target_sample,
+                            f.alignment.T_target_source, tolerance_m)
+                      .score;
+    });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Finalist& a, const Finalist& b) { return a.score > b.score; });
+    return result;
+}
+
+/// Shape and texture as one set of equations about the source's centre, each kind's worth divided
+/// by its own correlation.
+std::vector<ResidualRow> all_rows(const Surface& source, const Surface& target,
+                                  const Samples& samples, const Pose& T, int scale, double gate_m) {
+    const Eigen::Vector3d centre = T * source.centre_m;
+    const double patch_m = kPatch * std::max(source.radius_m, target.radius_m);
+    std::vector<ResidualRow> rows =
+        rows_of(match(source, target, samples, T, {.gate_m = gate_m}), centre);
+    std::vector<ResidualRow> texture = texture_rows(source, target, T, scale, gate_m, centre);
+    for (std::vector<ResidualRow>* kind : {&rows, &texture}) {
+        const double correlation = correlation_factor(*kind, patch_m);
+        for (ResidualRow& row : *kind) row.information /= correlation;
+    }
+    rows.insert(rows.end(), texture.begin(), texture.end());
+    return rows;
+}
+
+/// The last tenths of a pixel: shape and texture together, from coarse to fine texture.
+Pose polish(const Surface& source, const Surface& target, const Samples& samples, Pose T,
+            double gate_m) {
+    if (!source.texture || !target.texture) return T;
+    const double radius_m = std::max(source.radius_m, target.radius_m);
+    for (int scale = kTextureScales - 1; scale >= 0; --scale) {
+        for (int iteration = 0; iteration < 8; ++iteration) {
+            NormalEquations sums;
+            add_rows(all_rows(source, target, samples, T, scale, gate_m), 1.0, sums);
+            const Vector6d motion = -sums.H.ldlt().solve(sums.g);
+            if (!motion.allFinite() || motion.head<3>().norm() > 0.1) return T;
+            T = motion_about(motion, T * source.centre_m) * T;
+            if (motion.head<3>().norm() + motion.tail<3>().norm() / radius_m < 3e-6) break;
+        }
+    }
+    return T;
+}
+
+double rotation_between_rad(const Pose& a, const Pose& b) {
+    return rotation_angle_rad(a.linear().transpose() * b.linear());
+}
+
+/// The verdict without a robot: is the pose tied down, is there only one, is there enough overlap?
+void judge_alone(Alignment& a, const AlignSettings& settings) {
+    const double sigma_deg = deg_from_rad(a.sigma_angle_rad);
+    if (a.overlap < 0.5 * kLeastMatched) {
+        a.verdict = Verdict::kReject;
+        a.cause = Cause::kNotConverged;
+        a.sentence = fmt::format("no pose fits: only {:.0f} % of the points find a partner",
+                                 100.0 * a.overlap);
+    } else if (a.observability < kLeastObservability) {
+        a.verdict = Verdict::kReject;
+        a.cause = Cause::kSymmetry;
+        a.sentence = fmt::format(
+            "the surface does not show this turn (observability {:.2f}, least {:.2f}): the part "
+            "looks the same from all sides about this axis",
+            a.observability, kLeastObservability);
+    } else if (!a.starts_agree) {
+        a.verdict = Verdict::kReject;
+        a.cause = Cause::kSymmetry;
+        a.sentence = "different starts end in different poses that fit equally well";
+    } else if (a.overlap < settings.limits.overlap) {
+        a.verdict = a.overlap < 0.5 * settings.limits.overlap ? Verdict::kReject : Verdict::kCheck;
+        a.cause = Cause::kOverlap;
+        a.sentence = fmt::format("overlap {:.0f} % is below the limit of {:.0f} %",
+                                 100.0 * a.overlap, 100.0 * settings.limits.overlap);
+    } else {
+        a.verdict = Verdict::kAccept;
+        a.cause = Cause::kNone;
+        a.sentence = fmt::format("turn of {:.3f} deg, sigma {:.3f} deg, overlap {:.0f} %",
+                                 deg_from_rad(a.angle_rad), sigma_deg, 100.0 * a.overlap);
+    }
+}
+
+}  // namespace
+
+Alignment finish_alignment(const Surface& source, const Surface& target, const Pose& start,
+                           const AlignSettings& settings) {
+    const double spacing_m = std::max(source.spacing_m, target.spacing_m);
+    const double radius_m = std::max(source.radius_m, target.radius_m);
+    const auto source_fine = spread_sample(source, settings.fine_points);
+    const auto target_fine = spread_sample(target, settings.fine_points);
+    RefineSettings refine_settings;
+    refine_settings.first_gate_m = std::max(0.05 * radius_m, 3.0 * spacing_m);
+    refine_settings.last_gate_m = std::max(0.012 * radius_m, 2.5 * spacing_m);
+    refine_settings.shrink = 0.8;
+    refine_settings.iterations = 40;
+    const Samples samples{source_fine, target_fine};
+    Alignment a;
+    a.T_target_source =
+        polish(source, target, samples, refine(source, target, samples, start, refine_settings),
+               refine_settings.last_gate_m);
+    a.found = true;
+    const auto matches =
+        match(source, target, samples, a.T_target_source, {.gate_m = refine_settings.last_gate_m});
+    const Eigen::Vector3d turn = rotation_vector(a.T_target_source.linear());
+    a.angle_rad = turn.norm();
+    a.centre_m = a.T_target_source * source.centre_m;
+    a.covariance = motion_covariance(
+        all_rows(source, target, samples, a.T_target_source, 0, refine_settings.last_gate_m),
+        kPatch * radius_m);
+    if (a.angle_rad > 1e-4) {
+        a.axis = turn / a.angle_rad;
+    } else {
+        // No turn to speak of has no axis: judge it about the direction that is known least.
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+            a.covariance.topLeftCorner<3, 3>());
+        a.axis = solver.eigenvectors().col(2);
+    }
+    a.sigma_angle_rad = sigma_about(a.covariance, a.axis);
+    a.observability = turn_observability(source, target, matches, a.T_target_source, a.axis);
+    const ResidualStatistics residuals = residual_statistics(matches);
+    a.rms_m = residuals.rms_m;
+    a.median_m = residuals.median_m;
+    a.p90_m = residuals.p90_m;
+    a.overlap = agreement(source, target, nullptr, nullptr, source_fine, target_fine,
+                          a.T_target_source, refine_settings.last_gate_m)
+                    .matched;
+    return a;
+}
+
+Result<Alignment> align_surfaces(const Surface& source, const Surface& target,
+                                 const AlignSettings& settings, const Progress& progress,
+                                 const ForEach& for_each) {
+    std::optional<DepthMap> source_map;
+    std::optional<DepthMap> target_map;
+    if (source.viewpoint) source_map.emplace(source);
+    if (target.viewpoint) target_map.emplace(target);
+    const DepthMap* maps[2] = {source_map ? &*source_map : nullptr,
+                               target_map ? &*target_map : nullptr};
+    auto candidates = search(source, target, maps[0], maps[1], settings, settings.start_cone_rad,
+                             settings.starts, for_each);
+    if (candidates.front().agreement.matched < 2.0 * kLeastMatched) {
+        auto wide = search(source, target, maps[0], maps[1], settings, std::numbers::pi,
+                           kWideStarts, for_each);
+        if (wide.front().agreement.score > candidates.front().agreement.score + kRivalMargin) {
+            candidates = std::move(wide);
+        }
+    }
+    if (progress.cancelled()) return cancelled_error();
+    auto ranked =
+        finals(source, target, maps[0], maps[1], std::move(candidates), settings, for_each);
+    Alignment best = ranked.front().alignment;
+    best.starts_agree = true;
+    for (std::size_t i = 1; i < ranked.size(); ++i) {
+        const bool close = ranked[i].score > ranked.front().score - kRivalMargin;
+        if (close && rotation_between_rad(ranked[i].alignment.T_target_source,
+                                          best.T_target_source) > kDifferentAnswer_rad) {
+            best.starts_agree = false;
+        }
+    }
+    judge_alone(best, settings);
+    return best;
+}
+
+}  // namespace gripscan

@@ -1,0 +1,18 @@
+// The turn registration on prepared surfaces: what `align` does once normals and trees are there.
+#pragma once
+
+#include "core/registration/align.h"
+#include "core/registration/surface.h"
+
+namespace gripscan {
+
+/// Cancelled is the only error. A pair that cannot be aligned gives found = false with a cause.
+[[nodiscard]] Result<Alignment> align_surfaces(const Surface& source, const Surface& target,
+                                               const AlignSettings& settings,
+                                               const Progress& progress, const ForEach& for_each);
+
+/// The final estimate from a pose that is nearly right, and everything that is known about it.
+[[nodiscard]] Alignment finish_alignment(const Surface& source, const Surface& target,
+                                         const Pose& start, const AlignSettings& settings);
+
+}  // namespace gripscan

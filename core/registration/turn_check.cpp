@@ -1,0 +1,177 @@
+#include "core/registration/turn_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/base/units.h"
+
+namespace gripscan {
+namespace {
+
+/// Readings of a joint that stands still differ by less than this (encoder, rounding).
+constexpr double kJointStill_rad = 0.02 * kRadPerDeg;
+/// A limit may be missed by this factor before "check" becomes "reject".
+constexpr double kCheckFactor = 2.0;
+/// A ratio of angles this near 1 may be estimated and is no fault (contract).
+constexpr double kHarmlessRatio = 0.003;
+
+/// One limit: how far the value is from it (1 = on it), and how that reads.
+struct Criterion {
+    double excess = 0.0;
+    Cause cause = Cause::kNone;
+    std::string sentence;
+};
+
+Criterion angle_criterion(const TurnStep& step, const TurnLimits& limits) {
+    if (!step.error_rad) return {};
+    const double sigma = step.sigma_rad.value_or(0.0);
+    const double limit = std::max(limits.angle_rad, limits.sigmas * sigma);
+    return {std::abs(*step.error_rad) / limit, Cause::kMislabelled,
+            fmt::format("scans turned by {:.3f} deg, robot by {:.3f} deg: error {:+.3f} deg, limit "
+                        "{:.3f} deg",
+                        deg_from_rad(*step.icp_rad), deg_from_rad(*step.icp_rad - *step.error_rad),
+                        deg_from_rad(*step.error_rad), deg_from_rad(limit))};
+}
+
+Criterion overlap_criterion(const TurnStep& step, const TurnLimits& limits) {
+    if (!step.overlap || limits.overlap <= 0.0) return {};
+    return {limits.overlap / std::max(*step.overlap, 1e-3), Cause::kOverlap,
+            fmt::format("overlap {:.0f} %, limit {:.0f} %: the step is too large",
+                        100.0 * *step.overlap, 100.0 * limits.overlap)};
+}
+
+Criterion slip_criterion(const TurnStep& step, const TurnLimits& limits) {
+    if (!step.slip_m) return {};
+    return {std::abs(*step.slip_m) / limits.slip_m, Cause::kSlip,
+            fmt::format("slip of {:+.2f} mm along the axis, limit {:.2f} mm",
+                        kMmPerM * *step.slip_m, kMmPerM * limits.slip_m)};
+}
+
+Criterion tilt_criterion(const TurnStep& step, const TurnLimits& limits) {
+    if (!step.tilt_rad) return {};
+    return {*step.tilt_rad / limits.tilt_rad, Cause::kLoose,
+            fmt::format("turned about an axis tilted by {:.2f} deg, limit {:.2f} deg",
+                        deg_from_rad(*step.tilt_rad), deg_from_rad(limits.tilt_rad))};
+}
+
+bool reject(TurnStep& step, Cause cause, std::string sentence) {
+    step.verdict = Verdict::kReject;
+    step.cause = cause;
+    step.sentence = std::move(sentence);
+    return true;
+}
+
+/// What makes the estimate worthless whatever its numbers say.
+bool not_usable(TurnStep& step, const StepEvidence& evidence) {
+    if (!evidence.found) {
+        return reject(step, Cause::kNotConverged, "no alignment of the two clouds was found");
+    }
+    if (evidence.paper_icp) return false;
+    if (step.observability && *step.observability < evidence.least_observability) {
+        return reject(step, Cause::kSymmetry,
+                      fmt::format("the surface does not show this turn (observability {:.2f}, "
+                                  "least {:.2f}): it looks the same all around the axis",
+                                  *step.observability, evidence.least_observability));
+    }
+    if (!evidence.starts_agree) {
+        return reject(step, Cause::kSymmetry,
+                      "different starts end in different poses that fit equally well");
+    }
+    return false;
+}
+
+}  // namespace
+
+void judge_step(TurnStep& step, const StepEvidence& evidence, const TurnLimits& limits) {
+    step.cause = Cause::kNone;
+    if (not_usable(step, evidence)) return;
+    const std::array<Criterion, 4> criteria{
+        angle_criterion(step, limits), overlap_criterion(step, limits),
+        slip_criterion(step, limits), tilt_criterion(step, limits)};
+    const Criterion& worst = *std::max_element(
+        criteria.begin(), criteria.end(),
+        [](const Criterion& a, const Criterion& b) { return a.excess < b.excess; });
+    if (worst.excess <= 1.0 && step.independent) {
+        step.verdict = Verdict::kAccept;
+        step.sentence = step.error_rad ? fmt::format("agrees with the robot: error {:+.3f} deg",
+                                                     deg_from_rad(*step.error_rad))
+                                       : "within all limits; the robot's angle is not known";
+        return;
+    }
+    if (worst.excess <= 1.0) {
+        step.verdict = Verdict::kCheck;
+        step.sentence = "agrees with the robot, but was not found independently of it";
+        return;
+    }
+    step.verdict = worst.excess < kCheckFactor ? Verdict::kCheck : Verdict::kReject;
+    step.cause = worst.cause;
+    step.sentence = worst.sentence;
+    // Low overlap explains a wrong angle, tilt or slip; the joints explain all of them.
+    if (criteria[1].excess > 1.0) {
+        step.cause = Cause::kOverlap;
+        step.sentence = criteria[1].sentence;
+    }
+    if (evidence.other_joints_moved_rad > kJointStill_rad) {
+        step.cause = Cause::kWrongJoint;
+        step.sentence = fmt::format("another joint moved by {:.3f} deg; {}",
+                                    deg_from_rad(evidence.other_joints_moved_rad), worst.sentence);
+    } else if (evidence.joint6_moved_rad > kJointStill_rad) {
+        step.cause = Cause::kSettle;
+        step.sentence = fmt::format("joint 6 moved by {:.3f} deg during the exposure; {}",
+                                    deg_from_rad(evidence.joint6_moved_rad), worst.sentence);
+    }
+}
+
+void find_common_cause(std::span<TurnStep> steps, const TurnLimits& limits,
+                       std::optional<double> scale) {
+    double icp = 0.0;
+    double robot = 0.0;
+    std::size_t counted = 0;
+    for (const TurnStep& step : steps) {
+        if (!step.icp_rad || !step.error_rad || step.cause == Cause::kSymmetry) continue;
+        icp += *step.icp_rad;
+        robot += *step.icp_rad - *step.error_rad;
+        ++counted;
+    }
+    if (counted < 3 || std::abs(robot) < 1e-6) return;
+    const double ratio = icp / robot;
+    const auto explained_by = [&](double r) {
+        std::size_t n = 0;
+        for (const TurnStep& step : steps) {
+            if (!step.icp_rad || !step.error_rad) continue;
+            const double reported = *step.icp_rad - *step.error_rad;
+            const double limit =
+                std::max(limits.angle_rad, limits.sigmas * step.sigma_rad.value_or(0.0));
+            if (std::abs(*step.icp_rad - r * reported) <= limit) ++n;
+        }
+        return n * 10 >= counted * 9;
+    };
+    if (ratio < 0.0 && explained_by(-1.0)) {
+        for (TurnStep& step : steps) {
+            if (!step.error_rad) continue;
+            reject(step, Cause::kSign,
+                   fmt::format("scans turned by {:+.3f} deg, robot by {:+.3f} deg, and so in every "
+                               "step: the joint's direction is the other way round",
+                               deg_from_rad(*step.icp_rad),
+                               deg_from_rad(*step.icp_rad - *step.error_rad)));
+        }
+        return;
+    }
+    const bool by_steps = std::abs(ratio - 1.0) > 0.05 && explained_by(ratio);
+    const bool by_joint = scale && std::abs(*scale - 1.0) > kHarmlessRatio;
+    if (!by_steps && !by_joint) return;
+    const double shown = by_joint ? *scale : ratio;
+    for (TurnStep& step : steps) {
+        if (!step.error_rad || step.cause == Cause::kSymmetry) continue;
+        if (step.verdict == Verdict::kAccept) step.verdict = Verdict::kCheck;
+        step.cause = Cause::kRatio;
+        step.sentence = fmt::format("every turn is {:.4f} times what the robot reports; {}", shown,
+                                    step.sentence);
+    }
+}
+
+}  // namespace gripscan
