@@ -8,10 +8,6 @@
 namespace gripscan {
 namespace {
 
-/// Variance of the gradient that noise makes, in units of the residual's variance (white noise in
-/// both images, smoothed as in refine.cpp).
-constexpr float kGradientNoise = 0.6F;
-
 /// Weighted sums of a patch, for eight pixels: w weight, g gradient, l left brightness relative to
 /// the centre, r residual at the plane.
 struct PatchSums {
@@ -102,18 +98,14 @@ PatchFit solve(const PatchSums& s, int i) {
     const float texture = std::max(information - from_noise, 0.5F * information);
     fit.texture_to_noise = (information - from_noise) / from_noise;
     fit.step_px = slope / texture;
+    // The ratio of both contrasts: a regression on the noisy left one would find too little.
+    fit.gain = std::sqrt(std::max(ll + 2.0F * lr + rr, 0.0F) / (ll + 1e-3F)) - 1.0F;
     fit.sigma_px = fit.rms * std::sqrt(s.ww_gg[i] / s.gg[i] / texture);
     fit.lever_px = std::hypot(s.ggx[i], s.ggy[i]) / s.gg[i];
     return fit;
 }
 
 }  // namespace
-
-PhotometricMaps::PhotometricMaps(cv::Size roi, int padding) : pad(padding), size(roi) {
-    for (cv::Mat* m : {&left, &gradient, &disparity, &known, &residual}) {
-        *m = padded_map(cv::Mat::zeros(roi, CV_32F), pad, 0.0F);
-    }
-}
 
 std::vector<PatchFit> sample_patches(const PhotometricMaps& maps, const LocalPlanes& planes,
                                      float surface_tolerance_px) {

@@ -8,21 +8,9 @@
 
 #include "core/base/for_each.h"
 #include "core/stereo/local_plane.h"
+#include "core/stereo/photometry.h"
 
 namespace gripscan {
-
-/// What the patches read, CV_32F, padded by `pad` on every side.
-struct PhotometricMaps {
-    cv::Mat left;       ///< brightness, levels
-    cv::Mat gradient;   ///< its x-derivative, levels/px
-    cv::Mat disparity;  ///< current, px; 0 where unknown
-    cv::Mat known;      ///< 1 or 0
-    cv::Mat residual;   ///< right image at the current disparity minus left, levels
-    int pad;
-    cv::Size size;
-
-    PhotometricMaps(cv::Size roi, int padding);
-};
 
 struct PatchSettings {
     float surface_tolerance_px;   ///< neighbours further from the plane are of another surface
@@ -32,6 +20,7 @@ struct PatchSettings {
 /// Result of a pixel.
 struct PatchFit {
     float step_px = 0.0F;           ///< to be added to the current disparity
+    float gain = 0.0F;              ///< right brightness over left, minus 1
     float sigma_px = 0.0F;          ///< standard deviation predicted from texture and residual
     float texture_to_noise = 0.0F;  ///< energy of the gradients against what noise makes of it
     float inliers = 0.0F;           ///< share of the patch's weight whose brightness fits
