@@ -17,9 +17,9 @@ struct AlignSettings {
     /// Cone of rotations (about any axis) the perturbed starts are drawn from. Identity is always
     /// one of them.
     double start_cone_rad = 0.7;
-    int starts = 16;
-    std::size_t coarse_points = 1200;  ///< points of a start
-    std::size_t fine_points = 12000;   ///< points of the final estimate
+    int starts = 12;
+    std::size_t coarse_points = 700;  ///< points of a start
+    std::size_t fine_points = 12000;  ///< points of the final estimate
     TurnLimits limits;
 };
 

@@ -26,20 +26,39 @@ constexpr double kDifferentAnswer_rad = 1.0 * kRadPerDeg;
 /// Starts of the second search, over all rotations, when the first one convinces nobody.
 constexpr int kWideStarts = 240;
 
+/// Steps of the polish at each scale of texture, and the motion (rad and radii) that ends them.
+constexpr int kPolishSteps = 5;
+constexpr double kPolished = 1e-5;
 /// Patches over which noise is taken as correlated, in radii of the part.
 constexpr double kPatch = 0.3;
 
-struct Finalist {
-    Alignment alignment;
-    double score = 0.0;
-    int starts = 0;
-};
+/// Gates of the final estimate from shape, and of everything that is measured at it.
+double wide_gate_m(const Surface& source, const Surface& target) {
+    return std::max(0.05 * std::max(source.radius_m, target.radius_m),
+                    3.0 * std::max(source.spacing_m, target.spacing_m));
+}
+double narrow_gate_m(const Surface& source, const Surface& target) {
+    return std::max(0.012 * std::max(source.radius_m, target.radius_m),
+                    2.5 * std::max(source.spacing_m, target.spacing_m));
+}
 
-/// Refines the best candidates at full resolution and ranks them anew.
-std::vector<Finalist> finals(const Surface& source, const Surface& target,
-                             const DepthMap* source_map, const DepthMap* target_map,
-                             std::vector<Candidate> candidates, const AlignSettings& settings,
-                             const ForEach& for_each) {
+/// Shape alone, from a pose that is nearly right.
+Pose refine_finely(const Surface& source, const Surface& target, const Samples& samples,
+                   const Pose& start) {
+    RefineSettings settings;
+    settings.first_gate_m = wide_gate_m(source, target);
+    settings.last_gate_m = narrow_gate_m(source, target);
+    settings.shrink = 0.7;
+    settings.iterations = 25;
+    settings.tolerance = 1e-5;
+    return refine(source, target, samples, start, settings);
+}
+
+/// Refines the best candidates with some more points and ranks them anew.
+std::vector<Candidate> finals(const Surface& source, const Surface& target,
+                              const DepthMap* source_map, const DepthMap* target_map,
+                              std::vector<Candidate> candidates, const AlignSettings& settings,
+                              const ForEach& for_each) {
     constexpr std::size_t kFinalists = 4;
     const double best = candidates.front().agreement.score;
     std::erase_if(candidates, [&](const Candidate& c) { return c.agreement.score < best - 0.25; });
@@ -48,18 +67,18 @@ std::vector<Finalist> finals(const Surface& source, const Surface& target,
     const auto target_sample = spread_sample(target, settings.coarse_points);
     const double tolerance_m = std::max(0.02 * std::max(source.radius_m, target.radius_m),
                                         2.0 * std::max(source.spacing_m, target.spacing_m));
-    std::vector<Finalist> result(candidates.size());
     for_each(candidates.size(), [&](std::size_t i) {
-        Finalist& f = result[i];
-        f.alignment = finish_alignment(source, target, candidates[i].T_target_source, settings);
-        f.starts = candidates[i].starts;
-        f.score = agreement(source, target, source_map, target_map, source_sample, target_sample,
-                            f.alignment.T_target_source, tolerance_m)
-                      .score;
+        Candidate& c = candidates[i];
+        c.T_target_source =
+            refine_finely(source, target, {source_sample, target_sample}, c.T_target_source);
+        c.agreement = agreement(source, target, source_map, target_map, source_sample,
+                                target_sample, c.T_target_source, tolerance_m);
     });
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Finalist& a, const Finalist& b) { return a.score > b.score; });
-    return result;
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) {
+                         return a.agreement.score > b.agreement.score;
+                     });
+    return candidates;
 }
 
 /// Shape and texture as one set of equations about the source's centre, each kind's worth divided
@@ -85,13 +104,13 @@ Pose polish(const Surface& source, const Surface& target, const Samples& samples
     if (!source.texture || !target.texture) return T;
     const double radius_m = std::max(source.radius_m, target.radius_m);
     for (int scale = kTextureScales - 1; scale >= 0; --scale) {
-        for (int iteration = 0; iteration < 8; ++iteration) {
+        for (int iteration = 0; iteration < kPolishSteps; ++iteration) {
             NormalEquations sums;
             add_rows(all_rows(source, target, samples, T, scale, gate_m), 1.0, sums);
             const Vector6d motion = -sums.H.ldlt().solve(sums.g);
             if (!motion.allFinite() || motion.head<3>().norm() > 0.1) return T;
             T = motion_about(motion, T * source.centre_m) * T;
-            if (motion.head<3>().norm() + motion.tail<3>().norm() / radius_m < 3e-6) break;
+            if (motion.head<3>().norm() + motion.tail<3>().norm() / radius_m < kPolished) break;
         }
     }
     return T;
@@ -137,29 +156,24 @@ void judge_alone(Alignment& a, const AlignSettings& settings) {
 
 Alignment finish_alignment(const Surface& source, const Surface& target, const Pose& start,
                            const AlignSettings& settings) {
-    const double spacing_m = std::max(source.spacing_m, target.spacing_m);
     const double radius_m = std::max(source.radius_m, target.radius_m);
-    const auto source_fine = spread_sample(source, settings.fine_points);
-    const auto target_fine = spread_sample(target, settings.fine_points);
-    RefineSettings refine_settings;
-    refine_settings.first_gate_m = std::max(0.05 * radius_m, 3.0 * spacing_m);
-    refine_settings.last_gate_m = std::max(0.012 * radius_m, 2.5 * spacing_m);
-    refine_settings.shrink = 0.8;
-    refine_settings.iterations = 40;
+    const double gate_m = narrow_gate_m(source, target);
+    const bool textured = source.texture && target.texture;
+    // Where texture ties the motion down, shape needs fewer points beside it.
+    const std::size_t points = textured ? settings.fine_points / 3 : settings.fine_points;
+    const auto source_fine = spread_sample(source, points);
+    const auto target_fine = spread_sample(target, points);
     const Samples samples{source_fine, target_fine};
     Alignment a;
     a.T_target_source =
-        polish(source, target, samples, refine(source, target, samples, start, refine_settings),
-               refine_settings.last_gate_m);
+        polish(source, target, samples, refine_finely(source, target, samples, start), gate_m);
     a.found = true;
-    const auto matches =
-        match(source, target, samples, a.T_target_source, {.gate_m = refine_settings.last_gate_m});
+    const auto matches = match(source, target, samples, a.T_target_source, {.gate_m = gate_m});
     const Eigen::Vector3d turn = rotation_vector(a.T_target_source.linear());
     a.angle_rad = turn.norm();
     a.centre_m = a.T_target_source * source.centre_m;
     a.covariance = motion_covariance(
-        all_rows(source, target, samples, a.T_target_source, 0, refine_settings.last_gate_m),
-        kPatch * radius_m);
+        all_rows(source, target, samples, a.T_target_source, 0, gate_m), kPatch * radius_m);
     if (a.angle_rad > 1e-4) {
         a.axis = turn / a.angle_rad;
     } else {
@@ -175,7 +189,7 @@ Alignment finish_alignment(const Surface& source, const Surface& target, const P
     a.median_m = residuals.median_m;
     a.p90_m = residuals.p90_m;
     a.overlap = agreement(source, target, nullptr, nullptr, source_fine, target_fine,
-                          a.T_target_source, refine_settings.last_gate_m)
+                          a.T_target_source, gate_m)
                     .matched;
     return a;
 }
@@ -201,12 +215,13 @@ Result<Alignment> align_surfaces(const Surface& source, const Surface& target,
     if (progress.cancelled()) return cancelled_error();
     auto ranked =
         finals(source, target, maps[0], maps[1], std::move(candidates), settings, for_each);
-    Alignment best = ranked.front().alignment;
+    Alignment best = finish_alignment(source, target, ranked.front().T_target_source, settings);
     best.starts_agree = true;
     for (std::size_t i = 1; i < ranked.size(); ++i) {
-        const bool close = ranked[i].score > ranked.front().score - kRivalMargin;
-        if (close && rotation_between_rad(ranked[i].alignment.T_target_source,
-                                          best.T_target_source) > kDifferentAnswer_rad) {
+        const bool close =
+            ranked[i].agreement.score > ranked.front().agreement.score - kRivalMargin;
+        if (close && rotation_between_rad(ranked[i].T_target_source,
+                                          ranked.front().T_target_source) > kDifferentAnswer_rad) {
             best.starts_agree = false;
         }
     }

@@ -13,9 +13,13 @@
 namespace gripscan {
 namespace {
 
-/// A ratio may differ from 1 by this without being a fault of the robot: small systematic errors
-/// of the surfaces look like it.
-constexpr double kScaleSystematic = 7e-4;
+/// Small systematic errors of the surfaces turn every angle between views by the same factor, which
+/// looks like a ratio of the robot's; only a turn that closes can tell the two apart.
+constexpr double kScanScaleSigma = 5e-3;
+/// Gauss–Newton steps on one set of correspondences.
+constexpr int kSteps = 2;
+/// The scale is never known better than this: texture and shape are no perfect witnesses.
+constexpr double kScaleFloor = 3e-4;
 /// How far the data may pull the scale before it is looked at: wide, so that a wrong gear ratio
 /// shows itself.
 constexpr double kScalePrior = 0.05;
@@ -23,7 +27,7 @@ constexpr double kScalePrior = 0.05;
 /// Patches over which noise is taken as correlated, in radii of the part.
 constexpr double kPatch = 0.3;
 /// Views further apart than this see the same texture too differently.
-constexpr double kTextureReach_rad = 0.45;
+constexpr double kTextureReach_rad = 1.0;
 
 struct Pair {
     std::size_t from = 0;
@@ -58,7 +62,9 @@ std::vector<Pair> pairs_of(std::span<const JointView> views, const JointSettings
     return pairs;
 }
 
+/// What a pair of views says near the relative pose it was measured at.
 struct PairTerm {
+    Pose T_to_from = Pose::Identity();
     NormalEquations sums;
     std::size_t matches = 0;
 };
@@ -68,13 +74,22 @@ struct State {
     std::vector<Pose> T_view_first;
     double scale = 1.0;
     double offset_rad = 0.0;
+    double scan_scale = 1.0;
     double scale_sigma = 0.0;
     std::array<double, 2> axis_sigma{};  ///< rad, m
 };
 
+/// One round of correspondences.
+struct Round {
+    double gate = 0.0;  ///< in radii of the part
+    bool closing = false;
+    std::optional<int> texture_scale;
+};
+
 class Solver {
   public:
-    Solver(std::span<const JointView> views, const JointSettings& settings, const ForEach& for_each)
+    Solver(std::span<const JointView> views, const Axis& axis, const JointSettings& settings,
+           const ForEach& for_each)
         : views_(views),
           settings_(settings),
           for_each_(for_each),
@@ -88,33 +103,44 @@ class Solver {
             radius_m_ = std::max(radius_m_, view.surface->radius_m);
             spacing_m_ = std::max(spacing_m_, view.surface->spacing_m);
         }
+        centre_ = axis.nearest_to(centre_);
     }
 
     [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }
 
-    /// One round: correspondences, system, correction.
-    void improve(State& state, int scale, double gate_m, bool closing, bool free_scale) const {
+    /// Correspondences of all pairs at the present poses.
+    [[nodiscard]] std::vector<PairTerm> measure(const State& state, const Round& round) const {
         std::vector<PairTerm> terms(pairs_.size());
         for_each_(pairs_.size(), [&](std::size_t i) {
-            if (pairs_[i].closing && !closing) return;
-            terms[i] = term(pairs_[i], state, scale, gate_m);
+            if (pairs_[i].closing && !round.closing) return;
+            terms[i] = term(pairs_[i], state, round);
         });
-        JointSystem system(views_.size(), state.axis, state.axis.nearest_to(centre_));
+        return terms;
+    }
+
+    /// One Gauss–Newton step on what was measured, moved on to the present poses.
+    void improve(State& state, const std::vector<PairTerm>& terms, bool free_scale) const {
+        JointSystem system(views_.size(), state.axis, centre_);
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
             if (terms[i].matches < 100) continue;
             const Pose T =
                 state.T_view_first[pairs_[i].to] * state.T_view_first[pairs_[i].from].inverse();
+            NormalEquations sums = terms[i].sums;
+            sums.g += sums.H * motion_of(T * terms[i].T_to_from.inverse(), centre_);
             // Each view takes part in several pairs with the same noise.
-            const double weight = 1.0 / settings_.neighbours;
-            system.add_pair(pairs_[i].from, pairs_[i].to, T, terms[i].sums, weight);
+            system.add_pair(pairs_[i].from, pairs_[i].to, T, apart_rad(pairs_[i]), state.scan_scale,
+                            sums, 1.0 / settings_.neighbours);
         }
         for (std::size_t k = 1; k < views_.size(); ++k) {
             system.add_prior(k, state.T_view_first[k], state.scale, state.offset_rad,
                              {views_[k].angle_rad, views_[k].sigma_rad,
                               settings_.sigma_off_axis_rad, settings_.sigma_shift_m});
         }
-        system.add_global_prior(4, 1.0 - state.scale, free_scale ? kScalePrior : 1e-9);
-        system.add_global_prior(5, -state.offset_rad, views_.front().sigma_rad);
+        system.add_global_prior(JointSystem::kRobotScale, 1.0 - state.scale,
+                                free_scale ? kScalePrior : 1e-9);
+        system.add_global_prior(JointSystem::kRobotOffset, -state.offset_rad,
+                                views_.front().sigma_rad);
+        system.add_global_prior(JointSystem::kScanScale, 1.0 - state.scan_scale, kScanScaleSigma);
         if (!system.solve()) return;
         for (std::size_t k = 1; k < views_.size(); ++k) {
             state.T_view_first[k] = system.correction(k) * state.T_view_first[k];
@@ -122,9 +148,10 @@ class Solver {
         const auto globals = system.global_corrections();
         const auto sigmas = system.global_sigmas();
         state.axis = system.corrected_axis();
-        state.scale += globals(4);
-        state.offset_rad += globals(5);
-        state.scale_sigma = sigmas(4);
+        state.scale += globals(JointSystem::kRobotScale);
+        state.offset_rad += globals(JointSystem::kRobotOffset);
+        state.scan_scale += globals(JointSystem::kScanScale);
+        state.scale_sigma = sigmas(JointSystem::kRobotScale);
         state.axis_sigma = {std::hypot(sigmas(0), sigmas(1)) / std::numbers::sqrt2,
                             std::hypot(sigmas(2), sigmas(3)) / std::numbers::sqrt2};
     }
@@ -134,23 +161,25 @@ class Solver {
     }
 
   private:
-    [[nodiscard]] PairTerm term(const Pair& pair, const State& state, int scale,
-                                double gate_m) const {
-        // Relative motion about the same centre as the system uses.
-        const Pose T = state.T_view_first[pair.to] * state.T_view_first[pair.from].inverse();
-        const auto matches = match(*views_[pair.from].surface, *views_[pair.to].surface,
-                                   {samples_[pair.from], samples_[pair.to]}, T, {.gate_m = gate_m});
+    [[nodiscard]] double apart_rad(const Pair& pair) const {
+        return wrapped(views_[pair.to].angle_rad - views_[pair.from].angle_rad);
+    }
+
+    [[nodiscard]] PairTerm term(const Pair& pair, const State& state, const Round& round) const {
         PairTerm result;
+        result.T_to_from = state.T_view_first[pair.to] * state.T_view_first[pair.from].inverse();
+        const Surface& from = *views_[pair.from].surface;
+        const Surface& to = *views_[pair.to].surface;
+        const double gate = gate_m(round.gate);
+        const auto matches = match(from, to, {samples_[pair.from], samples_[pair.to]},
+                                   result.T_to_from, {.gate_m = gate});
         result.matches = matches.size();
-        const Eigen::Vector3d centre = state.axis.nearest_to(centre_);
         const double patch_m = kPatch * radius_m_;
-        const auto shape = rows_of(matches, centre);
+        const auto shape = rows_of(matches, centre_);
         add_rows(shape, correlation_factor(shape, patch_m), result.sums);
-        const double apart =
-            std::abs(wrapped(views_[pair.to].angle_rad - views_[pair.from].angle_rad));
-        if (apart < kTextureReach_rad) {
-            const auto texture = texture_rows(*views_[pair.from].surface, *views_[pair.to].surface,
-                                              T, scale, gate_m, centre);
+        if (round.texture_scale && std::abs(apart_rad(pair)) < kTextureReach_rad) {
+            const auto texture =
+                texture_rows(from, to, result.T_to_from, *round.texture_scale, gate, centre_);
             add_rows(texture, correlation_factor(texture, patch_m), result.sums);
         }
         return result;
@@ -171,33 +200,38 @@ class Solver {
 Result<JointSolution> solve_jointly(std::span<const JointView> views, const Axis& start,
                                     const JointSettings& settings, const Progress& progress,
                                     const ForEach& for_each) {
-    const Solver solver(views, settings, for_each);
+    const Solver solver(views, start, settings, for_each);
     State state;
     state.axis = start;
     for (const JointView& view : views) {
         state.T_view_first.push_back(turn_about(start, view.angle_rad));
     }
-    // First among neighbours only and with a free scale; the closing pairs join when the chain
-    // is good enough to bring them together.
-    const int half = settings.rounds / 2;
-    for (int round = 0; round < settings.rounds; ++round) {
+    // First shape alone and among neighbours; the closing pairs join when the chain is good enough
+    // to bring them together, texture when the poses are within its reach.
+    const std::array<Round, 4> rounds{{{0.05, false, std::nullopt},
+                                       {0.025, true, std::nullopt},
+                                       {0.012, true, 1},
+                                       {0.012, true, 0}}};
+    std::vector<PairTerm> terms;
+    for (std::size_t i = 0; i < rounds.size(); ++i) {
         if (progress.cancelled()) return cancelled_error();
-        progress.tell("joint solution", static_cast<std::size_t>(round),
-                      static_cast<std::size_t>(settings.rounds + half));
-        solver.improve(state, std::clamp(half - 1 - round, 0, kTextureScales - 1),
-                       solver.gate_m(0.05 * std::pow(0.75, round)), round >= half, true);
+        progress.tell("joint solution", i, rounds.size() + 1);
+        terms = solver.measure(state, rounds[i]);
+        for (int step = 0; step < kSteps; ++step) solver.improve(state, terms, true);
     }
     JointSolution solution;
-    solution.scale_sigma = std::hypot(state.scale_sigma, kScaleSystematic);
+    solution.scale_sigma = std::max(state.scale_sigma, kScaleFloor);
     solution.scale_estimated = std::abs(state.scale - 1.0) > 3.0 * solution.scale_sigma;
-    if (!solution.scale_estimated) {
-        state.scale = 1.0;
-        for (int round = 0; round < half; ++round) {
-            if (progress.cancelled()) return cancelled_error();
-            progress.tell("joint solution", static_cast<std::size_t>(settings.rounds + round),
-                          static_cast<std::size_t>(settings.rounds + half));
-            solver.improve(state, 0, solver.gate_m(0.012), true, false);
-        }
+    if (!solution.scale_estimated) state.scale = 1.0;
+    // Once more where the poses have come to.
+    for (int step = 0; step < kSteps; ++step) {
+        solver.improve(state, terms, solution.scale_estimated);
+    }
+    if (progress.cancelled()) return cancelled_error();
+    progress.tell("joint solution", rounds.size(), rounds.size() + 1);
+    terms = solver.measure(state, rounds.back());
+    for (int step = 0; step < kSteps; ++step) {
+        solver.improve(state, terms, solution.scale_estimated);
     }
     solution.scale = state.scale;
     solution.T_view_first = std::move(state.T_view_first);

@@ -21,12 +21,11 @@ struct JointView {
 };
 
 struct JointSettings {
-    std::size_t points = 3000;         ///< of a view in a pair
-    double reach_rad = 0.8;            ///< pairs of views up to this far apart are matched
-    int neighbours = 4;                ///< at most so many on each side
+    std::size_t points = 2000;         ///< of a view in a pair
+    double reach_rad = 1.2;            ///< pairs of views up to this far apart are matched
+    int neighbours = 6;                ///< at most so many on each side
     double sigma_off_axis_rad = 2e-4;  ///< how exactly the arm turns about one line: its wobble
     double sigma_shift_m = 3e-5;       ///< and its repeatability
-    int rounds = 8;
 };
 
 struct JointSolution {

@@ -12,15 +12,14 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
     return M;
 }
 
-/// The small motion [ω; v] about the centre that T is.
+}  // namespace
+
 Vector6d motion_of(const Pose& T, const Eigen::Vector3d& centre) {
     Vector6d m;
     m.head<3>() = rotation_vector(T.linear());
     m.tail<3>() = T * centre - centre;
     return m;
 }
-
-}  // namespace
 
 Matrix6d adjoint_about(const Pose& T, const Eigen::Vector3d& centre) {
     const Eigen::Matrix3d R = T.linear();
@@ -41,26 +40,37 @@ JointSystem::JointSystem(std::size_t views, const Axis& axis, const Eigen::Vecto
     x_ = Eigen::VectorXd::Zero(n);
 }
 
+Vector6d JointSystem::unit_turn() const {
+    Vector6d turn;
+    turn.head<3>() = axis_.direction;
+    turn.tail<3>() = axis_.direction.cross(centre_ - axis_.point_m);
+    return turn;
+}
+
 void JointSystem::add_pair(std::size_t from, std::size_t to, const Pose& T_to_from,
-                           const NormalEquations& sums, double weight) {
-    // The relative pose moves by δ = u_to − Ad · u_from.
-    const Matrix6d A = -adjoint_about(T_to_from, centre_);
+                           double angle_rad, double scan_scale, const NormalEquations& sums,
+                           double weight) {
+    // The relative pose moves by δ = u_to − Ad · u_from; a scan scale off 1 asks for more turn.
     const Matrix6d H = weight * sums.H;
-    const Vector6d g = weight * sums.g;
-    if (to > 0) {
-        const int c = column(to);
-        H_.block<6, 6>(c, c) += H;
-        g_.segment<6>(c) += g;
-    }
-    if (from > 0) {
-        const int c = column(from);
-        H_.block<6, 6>(c, c) += A.transpose() * H * A;
-        g_.segment<6>(c) += A.transpose() * g;
-    }
-    if (to > 0 && from > 0) {
-        const Matrix6d HA = H * A;
-        H_.block<6, 6>(column(to), column(from)) += HA;
-        H_.block<6, 6>(column(from), column(to)) += HA.transpose();
+    const Vector6d stretch = angle_rad * unit_turn();
+    const Vector6d g = weight * sums.g - (scan_scale - 1.0) * (H * stretch);
+    Eigen::Matrix<double, 6, 13> J;
+    J << Matrix6d::Identity(), -adjoint_about(T_to_from, centre_), -stretch;
+    const Eigen::Matrix<double, 13, 13> JHJ = J.transpose() * H * J;
+    const Eigen::Matrix<double, 13, 1> Jg = J.transpose() * g;
+    struct Part {
+        int column;
+        int at;
+        int size;
+    };
+    std::vector<Part> parts{{globals_ + kScanScale, 12, 1}};
+    if (to > 0) parts.push_back({column(to), 0, 6});
+    if (from > 0) parts.push_back({column(from), 6, 6});
+    for (const Part& a : parts) {
+        g_.segment(a.column, a.size) += Jg.segment(a.at, a.size);
+        for (const Part& b : parts) {
+            H_.block(a.column, b.column, a.size, b.size) += JHJ.block(a.at, b.at, a.size, b.size);
+        }
     }
 }
 
@@ -82,12 +92,8 @@ void JointSystem::add_prior(std::size_t view, const Pose& T_view_first, double s
     const Matrix6d difference = Matrix6d::Identity() - adjoint_about(turn, centre_);
     B.leftCols<2>() = difference.leftCols<3>() * across_;
     B.middleCols<2>(2) = difference.rightCols<3>() * across_;
-    // The axis passes through its point, not through the centre.
-    Vector6d about_axis;
-    about_axis.head<3>() = a;
-    about_axis.tail<3>() = a.cross(centre_ - axis_.point_m);
-    B.col(4) = prior.angle_rad * about_axis;
-    B.col(5) = about_axis;
+    B.col(kRobotScale) = prior.angle_rad * unit_turn();
+    B.col(kRobotOffset) = unit_turn();
     B = -B;
 
     const auto add_globals = [&] {
@@ -104,7 +110,7 @@ void JointSystem::add_prior(std::size_t view, const Pose& T_view_first, double s
     H_.block<kGlobals, 6>(globals_, c) += WB.transpose();
 }
 
-void JointSystem::add_global_prior(int index, double wanted_correction, double sigma) {
+void JointSystem::add_global_prior(Global index, double wanted_correction, double sigma) {
     const int i = globals_ + index;
     H_(i, i) += 1.0 / (sigma * sigma);
     g_(i) -= wanted_correction / (sigma * sigma);

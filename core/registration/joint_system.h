@@ -15,17 +15,23 @@ namespace gripscan {
 /// by T and then by Ad · u.
 [[nodiscard]] Matrix6d adjoint_about(const Pose& T, const Eigen::Vector3d& centre);
 
+/// The small motion [ω; v] about the centre that T is.
+[[nodiscard]] Vector6d motion_of(const Pose& T, const Eigen::Vector3d& centre);
+
 /// Unknowns: 6 a view after the first (motion about the centre, camera frame), then the axis (two
-/// tilts, two shifts, in the directions of `across`), the robot's scale and offset.
+/// tilts, two shifts, in the directions of `across`), the robot's scale and offset, and the scans'
+/// own scale.
 class JointSystem {
   public:
-    static constexpr int kGlobals = 6;
+    static constexpr int kGlobals = 7;
+    enum Global { kRobotScale = 4, kRobotOffset = 5, kScanScale = 6 };
 
     JointSystem(std::size_t views, const Axis& axis, const Eigen::Vector3d& centre);
 
-    /// Surface of view `from` matched onto that of `to`; weight divides out correlated noise.
-    void add_pair(std::size_t from, std::size_t to, const Pose& T_to_from,
-                  const NormalEquations& sums, double weight);
+    /// Surface of view `from` matched onto that of `to`, which are angle_rad apart: the scans see
+    /// scan_scale times the true turn. Weight divides out what pairs have in common.
+    void add_pair(std::size_t from, std::size_t to, const Pose& T_to_from, double angle_rad,
+                  double scan_scale, const NormalEquations& sums, double weight);
 
     /// What the robot and the fixed axis say about view k: its pose ought to be a turn by
     /// scale · angle + offset. Information along and across the axis.
@@ -37,8 +43,8 @@ class JointSystem {
     };
     void add_prior(std::size_t view, const Pose& T_view_first, double scale, double offset_rad,
                    const Prior& prior);
-    /// value ± sigma for the scale's (index 4) or the offset's (index 5) correction.
-    void add_global_prior(int index, double wanted_correction, double sigma);
+    /// What is known beforehand of a correction.
+    void add_global_prior(Global index, double wanted_correction, double sigma);
 
     /// Solves; false if nothing can be solved.
     bool solve();
@@ -50,6 +56,8 @@ class JointSystem {
     [[nodiscard]] Axis corrected_axis() const;
 
   private:
+    /// Motion about the centre that one rad of turn about the axis is.
+    [[nodiscard]] Vector6d unit_turn() const;
     [[nodiscard]] int column(std::size_t view) const { return 6 * (static_cast<int>(view) - 1); }
 
     Axis axis_;

@@ -15,15 +15,19 @@ struct MaskedGrid {
 /// Weighted means over the neighbourhood of every cell of the mask, holes left out; 0 outside it.
 class MaskedBlur {
   public:
-    /// Gaussian weights of standard deviation sigma_px.
+    /// Gaussian weights of standard deviation sigma_px; wide ones are made of boxes (Wells 1986).
     MaskedBlur(const MaskedGrid& grid, float sigma_px);
     [[nodiscard]] std::vector<float> operator()(const std::vector<float>& values) const;
 
   private:
     [[nodiscard]] std::vector<float> sums(const std::vector<float>& values) const;
 
+    [[nodiscard]] std::vector<float> box_sums(std::vector<float> values) const;
+    void set_weights();
+
     const MaskedGrid& grid_;
-    std::vector<float> kernel_;
+    std::vector<float> kernel_;  ///< empty: boxes are used
+    int half_box_ = 0;
     std::vector<float> weight_;  ///< 1/sum of the weights of a cell
 };
 
