@@ -98,7 +98,9 @@ std::string plot(const TurnReport& report) {
 std::string table_html(const Table1& table) {
     std::string text = "<div class=\"scroll\"><table>\n<thead><tr>";
     for (const auto& column : table.columns) {
-        if (!column.title.empty()) text += fmt::format("<th>{}</th>", escaped(column.title));
+        if (!column.title.empty())
+            text += fmt::format("<th>{}<br><small>{}</small></th>", escaped(column.title),
+                                escaped(column.unit));
     }
     text += "</tr></thead>\n<tbody>\n";
     for (const auto& row : table.rows) {

@@ -22,7 +22,7 @@ h2{font-size:16px;font-weight:650;margin:36px 0 10px}
 .verdict.accept{color:var(--accept);background:var(--accept-bg)}
 .verdict.check{color:var(--check);background:var(--check-bg)}
 .verdict.reject{color:var(--reject);background:var(--reject-bg)}
-dl.figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(172px,1fr));gap:12px;
+dl.figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(225px,1fr));gap:12px;
 margin:22px 0 0}
 dl.figures div{background:var(--panel);border:1px solid var(--line);border-radius:8px;
 padding:10px 14px}
@@ -44,8 +44,9 @@ svg text.mark.reject{fill:var(--reject);font-size:15px;font-weight:700}
 .legend{color:var(--second);font-size:13px;margin:6px 0 0}
 .scroll{overflow-x:auto}
 table{border-collapse:collapse;width:100%;font-size:12.5px;font-variant-numeric:tabular-nums}
-th{font-weight:600;color:var(--third);text-align:right;vertical-align:bottom;
+th{font-weight:600;color:var(--third);text-align:right;vertical-align:top;
 border-bottom:1.5px solid var(--third);padding:4px 6px}
+th small{font-weight:400}
 td{text-align:right;padding:3px 6px;border-bottom:1px solid #eceff2;white-space:nowrap}
 th:nth-last-child(-n+2),td:nth-last-child(-n+2){text-align:left}
 tr.check td{background:var(--check-bg)}

@@ -17,6 +17,7 @@ using Table1Cell = std::variant<std::monostate, double, std::string>;
 struct Table1Column {
     std::string_view name;   ///< in the CSV, with the unit as suffix
     std::string_view title;  ///< on screen; empty: in the CSV only
+    std::string_view unit;   ///< on screen
     int decimals = 0;        ///< on screen
     double scale = 1.0;      ///< on screen the value times this (0.83 → 83 %)
 };

@@ -8,29 +8,11 @@
 namespace gripscan {
 namespace {
 
-struct ShownColumn {
-    std::string_view name;
-    std::string_view title;
-    std::string_view unit;
-};
-
-constexpr std::array kShown{
-    ShownColumn{"step", "step", ""},
-    ShownColumn{"commanded_deg", "command", "deg"},
-    ShownColumn{"robot_deg", "robot", "deg"},
-    ShownColumn{"icp_deg", "ICP", "deg"},
-    ShownColumn{"error_deg", "error", "deg"},
-    ShownColumn{"sigma_deg", "sigma", "deg"},
-    ShownColumn{"roll_deg", "roll", "deg"},
-    ShownColumn{"pitch_deg", "pitch", "deg"},
-    ShownColumn{"yaw_deg", "yaw", "deg"},
-    ShownColumn{"x_m", "X", "m"},
-    ShownColumn{"y_m", "Y", "m"},
-    ShownColumn{"z_m", "Z", "m"},
-    ShownColumn{"overlap", "overlap", "%"},
-    ShownColumn{"rms_mm", "rms", "mm"},
-    ShownColumn{"verdict", "verdict", ""},
-};
+/// What fits beside each other on a wide terminal; the rest is in the CSV and on the page.
+constexpr std::array<std::string_view, 15> kShown{
+    "step",      "commanded_deg", "robot_deg", "icp_deg", "error_deg",
+    "sigma_deg", "roll_deg",      "pitch_deg", "yaw_deg", "x_m",
+    "y_m",       "z_m",           "overlap",   "rms_mm",  "verdict"};
 
 using TextRow = std::array<std::string, kShown.size()>;
 
@@ -43,7 +25,7 @@ std::size_t index_of(const Table1& table, std::string_view name) {
 TextRow text_row(const Table1& table, const Table1Row& row) {
     TextRow text;
     for (std::size_t i = 0; i < kShown.size(); ++i) {
-        const std::size_t c = index_of(table, kShown[i].name);
+        const std::size_t c = index_of(table, kShown[i]);
         text[i] = shown(table.columns[c], row.cells[c]);
         if (text[i].empty() && row.kind == Table1RowKind::kStep) text[i] = "-";
     }
@@ -103,8 +85,9 @@ std::string table1_text(const TurnReport& report, const Table1& table) {
     TextRow titles;
     TextRow units;
     for (std::size_t i = 0; i < kShown.size(); ++i) {
-        titles[i] = kShown[i].title;
-        units[i] = kShown[i].unit;
+        const Table1Column& column = table.columns[index_of(table, kShown[i])];
+        titles[i] = column.title;
+        units[i] = column.unit;
     }
     std::vector<TextRow> rows;
     for (const auto& row : table.rows) {
@@ -114,7 +97,7 @@ std::string table1_text(const TurnReport& report, const Table1& table) {
     }
     std::array<std::size_t, kShown.size()> widths{};
     for (std::size_t i = 0; i < kShown.size(); ++i) {
-        widths[i] = titles[i].size();
+        widths[i] = std::max(titles[i].size(), units[i].size());
         for (const auto& row : rows) widths[i] = std::max(widths[i], row[i].size());
     }
     std::string text = aligned(titles, widths) + aligned(units, widths) + rule(widths);

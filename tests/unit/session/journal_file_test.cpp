@@ -1,0 +1,82 @@
+#include "core/session/journal_file.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace gripscan {
+namespace {
+
+using testing::HasSubstr;
+
+void write_three(const std::filesystem::path& path) {
+    auto journal = JournalFile::open(path);
+    ASSERT_TRUE(journal) << journal.error().message;
+    ASSERT_TRUE(journal->write("command", {{"verb", "run"}, {"path", "a \"b\"\nc ü"}}));
+    ASSERT_TRUE(journal->write("capture", {{"index", "0"}}));
+    ASSERT_TRUE(journal->write("result", {}));
+}
+
+TEST(JournalFile, ReadsWhatItWrote) {
+    const test::TemporaryFolder folder;
+    write_three(folder / "journal");
+    const auto content = read_journal(folder / "journal");
+    ASSERT_TRUE(content) << content.error().message;
+    ASSERT_EQ(content->entries.size(), 3u);
+    EXPECT_EQ(content->entries[0].event, "command");
+    EXPECT_EQ(content->entries[0].fields[1].second, "a \"b\"\nc ü");
+    EXPECT_EQ(content->entries[2].number, 3);
+    EXPECT_EQ(content->whole_bytes, std::filesystem::file_size(folder / "journal"));
+}
+
+TEST(JournalFile, AnAbsentFileIsAnEmptyJournal) {
+    const test::TemporaryFolder folder;
+    const auto content = read_journal(folder / "journal");
+    ASSERT_TRUE(content);
+    EXPECT_TRUE(content->entries.empty());
+}
+
+/// Whatever byte a crash stopped at, all whole lines are there and writing goes on.
+TEST(JournalFile, SurvivesACutAtEveryByteOfTheLastLine) {
+    const test::TemporaryFolder folder;
+    write_three(folder / "whole");
+    const std::string whole = test::read_text(folder / "whole");
+    const auto last_line = whole.rfind('\n', whole.size() - 2) + 1;
+    for (std::size_t cut = last_line; cut < whole.size(); ++cut) {
+        test::write_text(folder / "journal", whole.substr(0, cut));
+        {
+            auto journal = JournalFile::open(folder / "journal");
+            ASSERT_TRUE(journal) << cut << ": " << journal.error().message;
+            ASSERT_TRUE(journal->write("resumed", {}));
+        }
+        const auto content = read_journal(folder / "journal");
+        ASSERT_TRUE(content) << cut << ": " << content.error().message;
+        ASSERT_EQ(content->entries.size(), 3u) << cut;
+        EXPECT_EQ(content->entries[2].event, "resumed");
+        EXPECT_EQ(content->entries[2].number, 3);
+    }
+}
+
+TEST(JournalFile, NamesADamagedLineThatOthersFollow) {
+    const test::TemporaryFolder folder;
+    write_three(folder / "journal");
+    test::replace_in_file(folder / "journal", "\"index\":\"0\"", "\"index\":\"1\"");
+    const auto content = read_journal(folder / "journal");
+    ASSERT_FALSE(content);
+    EXPECT_THAT(content.error().message, HasSubstr("journal:2"));
+    EXPECT_FALSE(JournalFile::open(folder / "journal")) << "nothing is appended to a damaged one";
+}
+
+TEST(JournalFile, AMissingLineIsDamage) {
+    const test::TemporaryFolder folder;
+    write_three(folder / "journal");
+    std::string text = test::read_text(folder / "journal");
+    const auto first_end = text.find('\n') + 1;
+    const auto second_end = text.find('\n', first_end) + 1;
+    test::write_text(folder / "journal",
+                     text.erase(first_end, second_end - first_end) + text.substr(first_end));
+    EXPECT_FALSE(read_journal(folder / "journal"));
+}
+
+}  // namespace
+}  // namespace gripscan
