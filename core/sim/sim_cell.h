@@ -21,7 +21,7 @@ inline constexpr double kSimTextureLevels = 14.0;
 struct SimCellSettings {
     std::uint64_t seed = 1;
     std::string gripper = "two-finger";  ///< see sim_grippers()
-    std::string object;                  ///< empty: nothing in the gripper; see sim_objects()
+    std::string object = "";             ///< empty: nothing in the gripper; see sim_objects()
     bool with_arm = true;                ///< false: the arm is out of the picture (environment)
     double noise_levels = 2.0;           ///< standard deviation, of 255
     double blur_px = 0.6;                ///< Gaussian sigma

@@ -18,7 +18,7 @@ struct Texture {
 
 /// One octave: mean 0, band-limited, one cell is a unit long; standard deviation kNoiseSigma.
 [[nodiscard]] float gradient_noise(const Eigen::Vector3f& p, std::uint32_t seed);
-inline constexpr double kNoiseSigma = 0.2636;
+inline constexpr double kNoiseSigma = 0.2700;
 
 /// Factor on the brightness at a place of the part: mean 1, standard deviation `contrast`.
 class TextureField {
