@@ -51,6 +51,7 @@ int parse_and_run(int argc, char** argv) {
     add_replay(line);
     add_align(line);
     add_stereo(line);
+    add_calibrate(line);
     add_export(line);
     add_report(line);
     try {

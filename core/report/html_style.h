@@ -12,7 +12,7 @@ inline constexpr std::string_view kHtmlStyle = R"css(
 *{box-sizing:border-box}
 body{margin:0;background:#fff;color:var(--text);
 font:15px/1.5 system-ui,"Segoe UI",Roboto,"Noto Sans","DejaVu Sans",sans-serif}
-main{max-width:1180px;margin:0 auto;padding:36px 28px 48px}
+main{max-width:1300px;margin:0 auto;padding:36px 28px 48px}
 header{display:flex;justify-content:space-between;align-items:flex-end;gap:24px;flex-wrap:wrap;
 border-bottom:1px solid var(--line);padding-bottom:18px}
 h1{font-size:25px;font-weight:650;letter-spacing:-.01em;margin:0;overflow-wrap:anywhere}
@@ -43,11 +43,11 @@ svg path.mark.reject{fill:none;stroke:var(--reject);stroke-width:2.6;stroke-line
 svg text.mark.reject{fill:var(--reject);font-size:15px;font-weight:700}
 .legend{color:var(--second);font-size:13px;margin:6px 0 0}
 .scroll{overflow-x:auto}
-table{border-collapse:collapse;width:100%;font-size:12.5px;font-variant-numeric:tabular-nums}
+table{border-collapse:collapse;width:100%;font-size:12px;font-variant-numeric:tabular-nums}
 th{font-weight:600;color:var(--third);text-align:right;vertical-align:top;
-border-bottom:1.5px solid var(--third);padding:4px 6px}
+border-bottom:1.5px solid var(--third);padding:4px 5px}
 th small{font-weight:400}
-td{text-align:right;padding:3px 6px;border-bottom:1px solid #eceff2;white-space:nowrap}
+td{text-align:right;padding:3px 5px;border-bottom:1px solid #eceff2;white-space:nowrap}
 th:nth-last-child(-n+2),td:nth-last-child(-n+2){text-align:left}
 tr.check td{background:var(--check-bg)}
 tr.reject td{background:var(--reject-bg)}

@@ -103,7 +103,7 @@ const std::array kColumns{
     StepColumn{{"rms_mm", "rms", "mm", 2}, length_cell<&TurnStep::rms_m>},
     StepColumn{{"median_mm", "", "", 2}, length_cell<&TurnStep::median_m>},
     StepColumn{{"p90_mm", "", "", 2}, length_cell<&TurnStep::p90_m>},
-    StepColumn{{"observability", "observ.", "", 2}, plain_cell<&TurnStep::observability>},
+    StepColumn{{"observability", "obs.", "", 2}, plain_cell<&TurnStep::observability>},
     StepColumn{{"mode", "", "", 0},
                [](const StepContext& c) -> Table1Cell { return std::string(word(c.step.mode)); }},
     StepColumn{{"independent", "", "", 0},
