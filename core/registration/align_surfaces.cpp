@@ -29,6 +29,9 @@ constexpr int kWideStarts = 240;
 /// Steps of the polish at each scale of texture, and the motion (rad and radii) that ends them.
 constexpr int kPolishSteps = 5;
 constexpr double kPolished = 1e-5;
+/// Errors of the surfaces that do not average out: as a share of the angle, from recordings and
+/// renderings with known turns.
+constexpr double kSystematicShare = 0.004;
 /// Patches over which noise is taken as correlated, in radii of the part.
 constexpr double kPatch = 0.3;
 
@@ -182,7 +185,8 @@ Alignment finish_alignment(const Surface& source, const Surface& target, const P
             a.covariance.topLeftCorner<3, 3>());
         a.axis = solver.eigenvectors().col(2);
     }
-    a.sigma_angle_rad = sigma_about(a.covariance, a.axis);
+    a.sigma_angle_rad =
+        std::hypot(sigma_about(a.covariance, a.axis), kSystematicShare * a.angle_rad);
     a.observability = turn_observability(source, target, matches, a.T_target_source, a.axis);
     const ResidualStatistics residuals = residual_statistics(matches);
     a.rms_m = residuals.rms_m;

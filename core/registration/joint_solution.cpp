@@ -1,5 +1,6 @@
 #include "core/registration/joint_solution.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +19,10 @@ namespace {
 constexpr double kScanScaleSigma = 5e-3;
 /// Gauss–Newton steps on one set of correspondences.
 constexpr int kSteps = 2;
+/// However many rows a pair has, its motion is not known better than this: errors of the surfaces
+/// that go with the camera do not average out.
+constexpr double kPairSigma_rad = 6e-4;
+constexpr double kPairSigma_m = 3e-5;
 /// The scale is never known better than this: texture and shape are no perfect witnesses.
 constexpr double kScaleFloor = 3e-4;
 /// How far the data may pull the scale before it is looked at: wide, so that a wrong gear ratio
@@ -27,7 +32,7 @@ constexpr double kScalePrior = 0.05;
 /// Patches over which noise is taken as correlated, in radii of the part.
 constexpr double kPatch = 0.3;
 /// Views further apart than this see the same texture too differently.
-constexpr double kTextureReach_rad = 1.0;
+constexpr double kTextureReach_rad = 0.8;
 
 struct Pair {
     std::size_t from = 0;
@@ -182,7 +187,20 @@ class Solver {
                 texture_rows(from, to, result.T_to_from, *round.texture_scale, gate, centre_);
             add_rows(texture, correlation_factor(texture, patch_m), result.sums);
         }
+        limit_knowledge(result.sums);
         return result;
+    }
+
+    /// Adds the systematic part to what the rows say: (H⁻¹ + S)⁻¹ in place of H.
+    static void limit_knowledge(NormalEquations& sums) {
+        Vector6d systematic;
+        systematic << Eigen::Vector3d::Constant(kPairSigma_rad * kPairSigma_rad),
+            Eigen::Vector3d::Constant(kPairSigma_m * kPairSigma_m);
+        const Matrix6d A = Matrix6d::Identity() + sums.H * systematic.asDiagonal();
+        const Eigen::PartialPivLU<Matrix6d> lu(A);
+        sums.H = lu.solve(sums.H);
+        sums.H = 0.5 * (sums.H + sums.H.transpose().eval());
+        sums.g = lu.solve(sums.g);
     }
 
     std::span<const JointView> views_;
