@@ -64,6 +64,7 @@ class RigReader {
             return input_error("{}: key {} is {} x {}, it must be a vector", path_, key,
                                numbers.rows, numbers.cols);
         }
+        if (numbers.empty()) return numbers;  // OpenCV's iterators divide by the width
         if (!std::all_of(numbers.begin(), numbers.end(),
                          [](double x) { return std::isfinite(x); })) {
             return input_error("{}: key {} holds a number that is not finite", path_, key);
@@ -111,7 +112,7 @@ Result<StereoRig> read_rig(const RigReader& reader) {
     for (const auto& [key, target] : distortions) {
         const auto v = reader.matrix(key, 0, 0);
         if (!v) return forward_error(v.error());
-        target->assign(v->begin(), v->end());
+        if (!v->empty()) target->assign(v->begin(), v->end());
     }
     const auto t = reader.matrix("T", 3, 1);
     if (!t) return forward_error(t.error());
