@@ -19,8 +19,6 @@ namespace {
 constexpr double kLeastMatched = 0.25;
 /// A rival minimum this close in score (or closer) is as good as the best one.
 constexpr double kRivalMargin = 0.05;
-/// Below this share of the possible lever arm the turn cannot be told from no turn.
-constexpr double kLeastObservability = 0.08;
 /// Minima whose refined poses differ by more than this are different answers.
 constexpr double kDifferentAnswer_rad = 1.0 * kRadPerDeg;
 /// Starts of the second search, over all rotations, when the first one convinces nobody.

@@ -34,13 +34,12 @@ struct Turn {
 
 }  // namespace
 
-std::optional<AxisEstimate> estimate_axis(std::span<const StepMotion> steps,
+std::optional<AxisEstimate> estimate_axis(std::span<const Pose> steps,
                                           const Eigen::Vector3d& centre_m) {
     std::vector<Turn> turns;
-    for (const StepMotion& step : steps) {
-        const Eigen::Vector3d v = rotation_vector(step.T.linear());
-        if (v.norm() > kSmallestTurn_rad)
-            turns.push_back({v, step.T.linear(), step.T.translation()});
+    for (const Pose& step : steps) {
+        const Eigen::Vector3d v = rotation_vector(step.linear());
+        if (v.norm() > kSmallestTurn_rad) turns.push_back({v, step.linear(), step.translation()});
     }
     if (turns.empty()) return std::nullopt;
 

@@ -11,17 +11,11 @@
 
 namespace gripscan {
 
-/// A step with its uncertainty about the axis (rad); larger turns know the axis better.
-struct StepMotion {
-    Pose T = Pose::Identity();
-    double sigma_rad = 1.0e-3;
-};
-
 /// Direction: weighted mean of the rotation vectors, signs made equal, outliers among the steps
 /// held down by iterated reweighting. Point: least squares of (I − R) p = t with the shift along
 /// the axis left out, nearest to `centre`. The sign of the direction follows the larger part of
 /// the steps. Nothing if no step turns by more than 0.1 degree.
-[[nodiscard]] std::optional<AxisEstimate> estimate_axis(std::span<const StepMotion> steps,
+[[nodiscard]] std::optional<AxisEstimate> estimate_axis(std::span<const Pose> steps,
                                                         const Eigen::Vector3d& centre_m);
 
 /// How one step deviates from a turn about the common axis.

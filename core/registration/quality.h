@@ -25,6 +25,9 @@ struct ResidualStatistics {
 /// Standard deviation of the rotation about the unit vector `axis`, rad.
 [[nodiscard]] double sigma_about(const Matrix6d& covariance, const Eigen::Vector3d& axis);
 
+/// A turn whose surface resists with less than this share cannot be told from no turn.
+inline constexpr double kLeastObservability = 0.08;
+
 /// The share of the largest possible lever arm with which the surface resists a turn about `axis`
 /// while everything else may give way: 0 for a surface of revolution about it, near 0.5 for a
 /// cube. The normals of both surfaces enter as a product, so that their noise does not pass for

@@ -1,0 +1,119 @@
+#include "core/registration/turn_poses.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/units.h"
+#include "core/registration/joint_solution.h"
+#include "core/registration/turn_rows.h"
+
+namespace gripscan {
+namespace {
+
+/// What a robot's joint reading is worth, a merely commanded angle, and no angle at all.
+constexpr double kReadingSigma_rad = 0.02 * kRadPerDeg;
+constexpr double kCommandSigma_rad = 0.05 * kRadPerDeg;
+constexpr double kUnknownSigma_rad = 1.0;
+
+/// The steps from view `first` to view `last`, composed.
+Pose composed(const TurnReport& report, std::size_t first, std::size_t last) {
+    Pose T = Pose::Identity();
+    for (std::size_t i = first; i < last; ++i) {
+        if (report.steps[i].T) T = *report.steps[i].T * T;
+    }
+    return T;
+}
+
+/// The turn of every trusted view since the first of them as reported; where nothing was reported,
+/// as the scans say, loosely held.
+std::vector<JointView> joint_views(std::span<const TurnView> views,
+                                   std::span<const Surface> surfaces, const ViewChain& chain,
+                                   const TurnReport& report) {
+    std::vector<JointView> result;
+    double angle_rad = 0.0;
+    for (std::size_t k = 0; k < chain.trusted.size(); ++k) {
+        const std::size_t v = chain.trusted[k];
+        double sigma_rad = kReadingSigma_rad;
+        if (k > 0) {
+            const std::size_t before = chain.trusted[k - 1];
+            const auto joint = difference(joint6_rad(views[before]), joint6_rad(views[v]));
+            const auto command = difference(views[before].commanded_rad, views[v].commanded_rad);
+            if (joint || command) {
+                angle_rad += joint ? *joint : *command;
+                if (!joint) sigma_rad = kCommandSigma_rad;
+            } else {
+                for (std::size_t i = before; i < v; ++i) {
+                    angle_rad += report.steps[i].icp_rad.value_or(0.0);
+                }
+                sigma_rad = kUnknownSigma_rad;
+            }
+        }
+        result.push_back({&surfaces[v], angle_rad, sigma_rad});
+    }
+    return result;
+}
+
+std::vector<Pose> chained_poses(const ViewChain& chain, const TurnReport& report) {
+    std::vector<Pose> poses;
+    for (const std::size_t v : chain.trusted) {
+        poses.push_back(composed(report, chain.trusted.front(), v));
+    }
+    return poses;
+}
+
+/// How far a pose is from the nominal turn, and what that does to the axis point.
+Closure closure_of(const Pose& T_last_first, const Axis& axis, double nominal_rad) {
+    const Pose rest = turn_about(axis, nominal_rad).inverse() * T_last_first;
+    return {rotation_angle_rad(rest.linear()), (rest * axis.point_m - axis.point_m).norm()};
+}
+
+/// The sum of what was reported, if that is a whole turn to half a step.
+std::optional<double> whole_turn_rad(const TurnReport& report, double step_rad) {
+    double sum_rad = 0.0;
+    for (const TurnStep& step : report.steps) {
+        if (!step.T || !reported_rad(step)) return std::nullopt;
+        sum_rad += *reported_rad(step);
+    }
+    const double full_rad = std::copysign(2.0 * std::numbers::pi, sum_rad);
+    if (std::abs(sum_rad - full_rad) > 0.5 * std::abs(step_rad)) return std::nullopt;
+    return sum_rad;
+}
+
+}  // namespace
+
+Status solve_poses(std::span<const TurnView> views, std::span<const Surface> surfaces,
+                   const ViewChain& chain, const TurnSettings& settings, const Progress& progress,
+                   const ForEach& for_each, TurnReport& report) {
+    std::vector<Pose> T_view_chain = chained_poses(chain, report);
+    const bool jointly =
+        settings.method == TurnMethod::kTurn && report.axis && chain.trusted.size() > 2;
+    if (jointly) {
+        auto solution = solve_jointly(joint_views(views, surfaces, chain, report),
+                                      report.axis->axis, {}, progress, for_each);
+        if (!solution) return forward_error(std::move(solution.error()));
+        report.axis = solution->axis;
+        if (solution->scale_estimated) report.angle_scale = solution->scale;
+        T_view_chain = std::move(solution->T_view_first);
+    }
+    // The first used capture may itself be in doubt: then its own steps link it to the others.
+    const Pose T_chain_first = composed(report, 0, chain.trusted.front());
+    report.poses.assign(views.size(), std::nullopt);
+    for (std::size_t k = 0; k < chain.trusted.size(); ++k) {
+        report.poses[chain.trusted[k]] = (T_view_chain[k] * T_chain_first).inverse();
+    }
+    return {};
+}
+
+void set_closures(double step_rad, TurnReport& report) {
+    const auto nominal_rad = whole_turn_rad(report, step_rad);
+    if (!report.axis || !nominal_rad) return;
+    const Axis& axis = report.axis->axis;
+    report.closure_before =
+        closure_of(composed(report, 0, report.steps.size()), axis, *nominal_rad);
+    report.closure_after = report.closure_before;
+    if (report.poses.back()) {
+        report.closure_after = closure_of(report.poses.back()->inverse(), axis, *nominal_rad);
+    }
+}
+
+}  // namespace gripscan
