@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/units.h"
+#include "core/report/file_units.h"
 
 namespace gripscan {
 namespace {
@@ -27,18 +27,19 @@ std::string list_text(const Json& json) {
 
 }  // namespace
 
-Json json_number(const std::optional<double>& value, double scale) {
+Json json_number(const std::optional<double>& value) {
     if (!value || !std::isfinite(*value)) return nullptr;
-    return *value * scale;
+    return *value;
 }
 
 Json json_deg(const std::optional<double>& rad) {
     if (!rad || !std::isfinite(*rad)) return nullptr;
-    return std::round(deg_from_rad(*rad) * 1e12) / 1e12;
+    return file_deg(*rad);
 }
 
 Json json_mm(const std::optional<double>& metres) {
-    return json_number(metres, kMmPerM);
+    if (!metres || !std::isfinite(*metres)) return nullptr;
+    return file_mm(*metres);
 }
 
 Json json_vector(const Eigen::Vector3d& v) {
@@ -51,12 +52,11 @@ Json json_pose(const std::optional<Pose>& T) {
 }
 
 Json json_limits(const TurnLimits& limits) {
-    const auto tidy = [](double value) { return std::round(value * 1e9) / 1e9; };
-    return {{"angle_deg", tidy(deg_from_rad(limits.angle_rad))},
+    return {{"angle_deg", file_deg(limits.angle_rad)},
             {"sigmas", limits.sigmas},
             {"overlap", limits.overlap},
-            {"slip_mm", tidy(limits.slip_m * kMmPerM)},
-            {"tilt_deg", tidy(deg_from_rad(limits.tilt_rad))}};
+            {"slip_mm", file_mm(limits.slip_m)},
+            {"tilt_deg", file_deg(limits.tilt_rad)}};
 }
 
 Json json_closure(const TurnReport& report) {

@@ -13,8 +13,8 @@ namespace gripscan {
 using Json = nlohmann::ordered_json;
 
 /// Null where the number is unknown or not finite.
-[[nodiscard]] Json json_number(const std::optional<double>& value, double scale = 1.0);
-/// Degrees, to 1e-12, so that 10° is 10.
+[[nodiscard]] Json json_number(const std::optional<double>& value);
+/// In the unit of the files, see file_units.h.
 [[nodiscard]] Json json_deg(const std::optional<double>& rad);
 [[nodiscard]] Json json_mm(const std::optional<double>& metres);
 [[nodiscard]] Json json_vector(const Eigen::Vector3d& v);

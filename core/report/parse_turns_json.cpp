@@ -20,7 +20,14 @@ std::optional<double> length(const Json& json, const char* key) {
 
 std::optional<Pose> pose(const Json& json) {
     if (json.is_null()) return std::nullopt;
-    return pose_from_row_major(json.get<std::array<double, 16>>());
+    const auto numbers = json.get<std::array<double, 16>>();
+    if (!pose_from_row_major(numbers)) {
+        throw Json::other_error::create(501, "a matrix is no rigid motion", nullptr);
+    }
+    // The numbers as they stand: making them orthonormal again would change the last digits.
+    Pose T;
+    T.matrix() = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
+    return T;
 }
 
 Eigen::Vector3d vector3(const Json& json) {

@@ -6,33 +6,38 @@
 #include <map>
 
 #include "core/base/number_text.h"
-#include "core/base/units.h"
+#include "core/report/file_units.h"
 #include "core/session/csv_text.h"
 
 namespace gripscan {
 namespace {
 
-Table1Cell cell_of(const std::optional<double>& value, double scale = 1.0) {
+Table1Cell cell_of(const std::optional<double>& value) {
     if (!value || !std::isfinite(*value)) return std::monostate{};
-    return *value * scale;
+    return *value;
 }
 
-/// To 1e-12, so that 10° is 10 and not 10.000000000000002.
 Table1Cell deg_cell(const std::optional<double>& rad) {
     if (!rad || !std::isfinite(*rad)) return std::monostate{};
-    return std::round(deg_from_rad(*rad) * 1e12) / 1e12;
+    return file_deg(*rad);
 }
 
+Table1Cell mm_cell(const std::optional<double>& metres) {
+    if (!metres || !std::isfinite(*metres)) return std::monostate{};
+    return file_mm(*metres);
+}
+
+/// Of the numbers as the files hold them, so that it is the same when they are read back.
 Table1Cell ratio_cell(const std::optional<double>& a, const std::optional<double>& b) {
     if (!a || !b || !(*b > 0.0)) return std::monostate{};
-    return *a / *b;
+    return rounded_1e12(file_deg(*a) / file_deg(*b));
 }
 
 /// A row under construction: the step, its capture, and the turn up to it.
 struct StepContext {
     const TurnStep& step;
     const CaptureRow* to = nullptr;  ///< null: not in the table
-    std::optional<double> turned_rad;
+    std::optional<double> turned_deg;
 };
 
 using Make = Table1Cell (*)(const StepContext&);
@@ -61,7 +66,7 @@ Table1Cell angle_cell(const StepContext& c) {
 
 template <std::optional<double> TurnStep::*kMember>
 Table1Cell length_cell(const StepContext& c) {
-    return cell_of(c.step.*kMember, kMmPerM);
+    return mm_cell(c.step.*kMember);
 }
 
 template <std::optional<double> TurnStep::*kMember>
@@ -118,7 +123,7 @@ const std::array kColumns{
     StepColumn{{"sentence", "", "", 0},
                [](const StepContext& c) -> Table1Cell { return c.step.sentence; }},
     StepColumn{{"cumulative_deg", "", "", 2},
-               [](const StepContext& c) { return deg_cell(c.turned_rad); }},
+               [](const StepContext& c) { return cell_of(c.turned_deg); }},
     StepColumn{
         {"j6_deg", "", "", 3},
         [](const StepContext& c) { return cell_of(c.to ? c.to->joints_deg[5] : std::nullopt); }},
@@ -135,20 +140,21 @@ std::size_t column_index(std::string_view name) {
     return static_cast<std::size_t>(found - kColumns.begin());
 }
 
-std::optional<double> sum_of(const TurnReport& report, std::optional<double> TurnStep::*member) {
+/// Sums, too, are of the numbers as the files hold them.
+std::optional<double> sum_deg(const TurnReport& report, std::optional<double> TurnStep::*member) {
     double sum = 0.0;
     for (const auto& step : report.steps) {
         if (!(step.*member)) return std::nullopt;
-        sum += *(step.*member);
+        sum += file_deg(*(step.*member));
     }
-    return sum;
+    return rounded_1e12(sum);
 }
 
 Table1Row summed(const TurnReport& report) {
     Table1Row row{Table1RowKind::kSum, Verdict::kAccept, {}};
     row.cells.resize(kColumns.size());
     const auto put = [&](std::string_view name, std::optional<double> TurnStep::*member) {
-        row.cells[column_index(name)] = deg_cell(sum_of(report, member));
+        row.cells[column_index(name)] = cell_of(sum_deg(report, member));
     };
     put("commanded_deg", &TurnStep::commanded_rad);
     put("robot_deg", &TurnStep::robot_rad);
@@ -157,9 +163,9 @@ Table1Row summed(const TurnReport& report) {
     std::optional<double> variance = 0.0;
     for (const auto& step : report.steps) {
         if (!step.sigma_rad) variance.reset();
-        if (variance) *variance += *step.sigma_rad * *step.sigma_rad;
+        if (variance) *variance += std::pow(file_deg(*step.sigma_rad), 2);
     }
-    if (variance) row.cells[column_index("sigma_deg")] = deg_cell(std::sqrt(*variance));
+    if (variance) row.cells[column_index("sigma_deg")] = rounded_1e12(std::sqrt(*variance));
     return row;
 }
 
@@ -167,7 +173,7 @@ Table1Row closure_row(Table1RowKind kind, const Closure& closure) {
     Table1Row row{kind, Verdict::kAccept, {}};
     row.cells.resize(kColumns.size());
     row.cells[column_index("error_deg")] = deg_cell(closure.angle_rad);
-    row.cells[column_index("axis_offset_mm")] = cell_of(closure.shift_m, kMmPerM);
+    row.cells[column_index("axis_offset_mm")] = mm_cell(closure.shift_m);
     return row;
 }
 
@@ -184,13 +190,13 @@ Table1 table1_of(const TurnReport& report, const CaptureTable& captures) {
     for (const auto& row : captures.rows) row_of_index[row.index] = &row;
     Table1 table;
     for (const auto& column : kColumns) table.columns.push_back(column.column);
-    std::optional<double> turned_rad = 0.0;
+    std::optional<double> turned_deg = 0.0;
     for (const auto& step : report.steps) {
-        if (!step.icp_rad) turned_rad.reset();
-        if (turned_rad) *turned_rad += *step.icp_rad;
+        if (!step.icp_rad) turned_deg.reset();
+        if (turned_deg) turned_deg = rounded_1e12(*turned_deg + file_deg(*step.icp_rad));
         const auto to = row_of_index.find(step.to);
         const StepContext context{step, to == row_of_index.end() ? nullptr : to->second,
-                                  turned_rad};
+                                  turned_deg};
         Table1Row row{Table1RowKind::kStep, step.verdict, {}};
         for (const auto& column : kColumns) row.cells.push_back(column.make(context));
         table.rows.push_back(std::move(row));
