@@ -20,4 +20,8 @@ namespace gripscan {
                                  const Progress& progress, const ForEach& for_each,
                                  TurnReport& report);
 
+/// Closure of the steps and of the poses where the steps make a whole turn to half a step. Shifts
+/// are those of the axis point of the report.
+void set_closures(double step_rad, TurnReport& report);
+
 }  // namespace gripscan
