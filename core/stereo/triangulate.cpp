@@ -8,8 +8,8 @@
 namespace gripscan {
 namespace {
 
-constexpr int kNormalRadiusPx = 6;
-/// Weight of the neighbours a normal needs (the full window has about 49).
+constexpr int kNormalRadiusPx = 8;
+/// Weight of the neighbours a normal needs (the full window has about 85).
 constexpr float kMinSupport = 10.0F;
 /// cos of the angle between normal and ray below which a surface is seen too obliquely (81 deg).
 constexpr double kMinCosine = 0.15;
