@@ -186,6 +186,54 @@ Result<StereoFit> robust_fit(std::vector<CalibrationView>& views,
     }
 }
 
+struct Views {
+    ImageSize image;
+    std::vector<CalibrationView> views;
+    std::vector<CornerPairs> corners;
+};
+
+/// Reads all pairs; an image that cannot be read or has another size is an error.
+Result<Views> read_views(const std::vector<fs::path>& lefts, const std::vector<fs::path>& rights,
+                         const CalibrationBoard& board, const Progress& progress,
+                         const ForEach& for_each) {
+    std::vector<Pair> pairs(lefts.size());
+    for_each(lefts.size(), [&](std::size_t i) {
+        if (!progress.cancelled()) pairs[i] = read_pair(lefts[i], rights[i], board);
+        progress.tell("find board", i + 1, lefts.size());
+    });
+    if (progress.cancelled()) return cancelled_error();
+    const std::vector<cv::Point3f> board_m = board_points_m(board);
+    Views all;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (pairs[i].error) return forward_error(*pairs[i].error);
+        if (i == 0) all.image = pairs[i].size;
+        if (!(pairs[i].size == all.image)) {
+            return input_error("{} is {} x {} px, the first image {} x {}", lefts[i].string(),
+                               pairs[i].size.width, pairs[i].size.height, all.image.width,
+                               all.image.height);
+        }
+        all.corners.push_back(common_corners(pairs[i], board_m));
+        CalibrationView view;
+        view.left = lefts[i];
+        view.right = rights[i];
+        view.corners = static_cast<int>(all.corners[i].board_m.size());
+        view.problem = why_unusable(pairs[i], all.corners[i].board_m.size());
+        view.used = view.problem.empty();
+        all.views.push_back(view);
+    }
+    return all;
+}
+
+void measure_rows(const StereoRig& rig, const Selection& selection, CalibrationResult& result) {
+    double squares = 0.0;
+    const std::vector<double> rows = row_errors_px(rig, selection.corners);
+    for (const double e : rows) {
+        squares += e * e;
+        result.row_max_px = std::max(result.row_max_px, std::abs(e));
+    }
+    result.row_rms_px = std::sqrt(squares / static_cast<double>(rows.size()));
+}
+
 }  // namespace
 
 Result<CalibrationResult> calibrate_stereo(const std::vector<fs::path>& lefts,
@@ -198,46 +246,18 @@ Result<CalibrationResult> calibrate_stereo(const std::vector<fs::path>& lefts,
         return input_error("{} left and {} right images: the lists must pair up", lefts.size(),
                            rights.size());
     }
-    std::vector<Pair> pairs(lefts.size());
-    for_each(lefts.size(), [&](std::size_t i) {
-        if (!progress.cancelled()) pairs[i] = read_pair(lefts[i], rights[i], board);
-        progress.tell("find board", i + 1, lefts.size());
-    });
-    if (progress.cancelled()) return cancelled_error();
-    const std::vector<cv::Point3f> board_m = board_points_m(board);
-    CalibrationResult result;
-    std::vector<CornerPairs> corners;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (pairs[i].error) return forward_error(*pairs[i].error);
-        if (!(pairs[i].size == pairs[0].size)) {
-            return input_error("{} is {} x {} px, the first image {} x {}", lefts[i].string(),
-                               pairs[i].size.width, pairs[i].size.height, pairs[0].size.width,
-                               pairs[0].size.height);
-        }
-        corners.push_back(common_corners(pairs[i], board_m));
-        CalibrationView view;
-        view.left = lefts[i];
-        view.right = rights[i];
-        view.corners = static_cast<int>(corners[i].board_m.size());
-        view.problem = why_unusable(pairs[i], corners[i].board_m.size());
-        view.used = view.problem.empty();
-        result.views.push_back(view);
-    }
-    const ImageSize image = pairs.empty() ? ImageSize{} : pairs[0].size;
-    const Result<StereoFit> fit = robust_fit(result.views, corners, image, settings, progress);
+    Result<Views> all = read_views(lefts, rights, board, progress, for_each);
+    if (!all) return forward_error(all.error());
+    const auto fit = robust_fit(all->views, all->corners, all->image, settings, progress);
     if (!fit) return forward_error(fit.error());
+    CalibrationResult result;
     result.rig = fit->rig;
     result.distortion_model = fit->distortion_model;
     result.rms_px = fit->rms_px;
-    const Selection selection = selected(result.views, corners);
-    double squares = 0.0;
-    const std::vector<double> rows = row_errors_px(fit->rig, selection.corners);
-    for (const double e : rows) {
-        squares += e * e;
-        result.row_max_px = std::max(result.row_max_px, std::abs(e));
-    }
-    result.row_rms_px = std::sqrt(squares / static_cast<double>(rows.size()));
-    measure_lengths(fit->rig, selection, board_m.size(), result);
+    const Selection selection = selected(all->views, all->corners);
+    measure_rows(fit->rig, selection, result);
+    measure_lengths(fit->rig, selection, board_points_m(board).size(), result);
+    result.views = std::move(all->views);
     judge(settings, result);
     return result;
 }

@@ -65,6 +65,9 @@ struct Rectifier::Maps {
     Eigen::Matrix3d R_rectified_left = Eigen::Matrix3d::Identity();
     bool untouched = true;
     cv::Mat left_x, left_y, right_x, right_y;
+
+    void take_over(const StereoRig& from);  ///< of a rig that is rectified already
+    void compute(const StereoRig& from);
 };
 
 Rectifier::Rectifier(std::unique_ptr<Maps> maps) : maps_(std::move(maps)) {}
@@ -72,41 +75,48 @@ Rectifier::Rectifier(Rectifier&&) noexcept = default;
 Rectifier& Rectifier::operator=(Rectifier&&) noexcept = default;
 Rectifier::~Rectifier() = default;
 
+void Rectifier::Maps::take_over(const StereoRig& from) {
+    rig.f_px = from.K_left(0, 0);
+    rig.cx_left_px = from.K_left(0, 2);
+    rig.cx_right_px = from.K_right(0, 2);
+    rig.cy_px = from.K_left(1, 2);
+    rig.baseline_m = from.baseline_m();
+}
+
+void Rectifier::Maps::compute(const StereoRig& from) {
+    untouched = false;
+    cv::Mat K1, K2, R, T, R1, R2, P1, P2, Q;
+    cv::eigen2cv(from.K_left, K1);
+    cv::eigen2cv(from.K_right, K2);
+    cv::eigen2cv(Eigen::Matrix3d(from.T_right_left.linear()), R);
+    cv::eigen2cv(Eigen::Vector3d(from.T_right_left.translation()), T);
+    const cv::Mat D1(from.D_left, true);
+    const cv::Mat D2(from.D_right, true);
+    const cv::Size size(from.image.width, from.image.height);
+    cv::stereoRectify(K1, D1, K2, D2, size, R, T, R1, R2, P1, P2, Q, cv::CALIB_ZERO_DISPARITY, -1);
+    cv::initUndistortRectifyMap(K1, D1, R1, P1, size, CV_32FC1, left_x, left_y);
+    cv::initUndistortRectifyMap(K2, D2, R2, P2, size, CV_32FC1, right_x, right_y);
+    rig.f_px = P1.at<double>(0, 0);
+    rig.cx_left_px = P1.at<double>(0, 2);
+    rig.cx_right_px = P2.at<double>(0, 2);
+    rig.cy_px = P1.at<double>(1, 2);
+    rig.baseline_m = -P2.at<double>(0, 3) / P2.at<double>(0, 0);
+    cv::cv2eigen(R1, R_rectified_left);
+}
+
 Result<Rectifier> Rectifier::create(const StereoRig& rig) {
     if (const Status status = validate(rig); !status) return forward_error(status.error());
     auto maps = std::make_unique<Maps>();
     maps->rig.image = rig.image;
     if (rig.is_rectified()) {
-        maps->rig.f_px = rig.K_left(0, 0);
-        maps->rig.cx_left_px = rig.K_left(0, 2);
-        maps->rig.cx_right_px = rig.K_right(0, 2);
-        maps->rig.cy_px = rig.K_left(1, 2);
-        maps->rig.baseline_m = rig.baseline_m();
+        maps->take_over(rig);
         return Rectifier(std::move(maps));
     }
-    maps->untouched = false;
-    cv::Mat K1, K2, R, T, R1, R2, P1, P2, Q;
-    cv::eigen2cv(rig.K_left, K1);
-    cv::eigen2cv(rig.K_right, K2);
-    cv::eigen2cv(Eigen::Matrix3d(rig.T_right_left.linear()), R);
-    cv::eigen2cv(Eigen::Vector3d(rig.T_right_left.translation()), T);
-    const cv::Mat D1(rig.D_left, true);
-    const cv::Mat D2(rig.D_right, true);
-    const cv::Size size(rig.image.width, rig.image.height);
     try {
-        cv::stereoRectify(K1, D1, K2, D2, size, R, T, R1, R2, P1, P2, Q, cv::CALIB_ZERO_DISPARITY,
-                          -1);
-        cv::initUndistortRectifyMap(K1, D1, R1, P1, size, CV_32FC1, maps->left_x, maps->left_y);
-        cv::initUndistortRectifyMap(K2, D2, R2, P2, size, CV_32FC1, maps->right_x, maps->right_y);
+        maps->compute(rig);
     } catch (const cv::Exception& e) {
         return input_error("the rig cannot be rectified: {}", e.err);
     }
-    maps->rig.f_px = P1.at<double>(0, 0);
-    maps->rig.cx_left_px = P1.at<double>(0, 2);
-    maps->rig.cx_right_px = P2.at<double>(0, 2);
-    maps->rig.cy_px = P1.at<double>(1, 2);
-    maps->rig.baseline_m = -P2.at<double>(0, 3) / P2.at<double>(0, 0);
-    cv::cv2eigen(R1, maps->R_rectified_left);
     if (!(maps->rig.f_px > 0.0) || !(maps->rig.baseline_m > 0.0) ||
         !maps->R_rectified_left.allFinite()) {
         return input_error("the rig cannot be rectified: focal length {} px, baseline {} m",

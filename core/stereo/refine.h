@@ -1,12 +1,12 @@
 // Sub-pixel refinement of a disparity map against pixel locking: Gauss–Newton on grey patches.
 //
-// Every pixel near p gives one linear equation for the plane p lies on, from the difference between
-// its own brightness and that of the right image at its current disparity:
-//     R(x − d_q) − L = G·(plane_p(q) − d_q) + offset + gain·L,      G = dL/dx / (1 − slope_x)
-// so the patch follows the slant, brightness may differ between the cameras, and neighbours of
-// another surface or with another brightness (occlusion) lose their weight. The derivative comes
-// from the left image at whole pixels: its noise is then independent of the interpolated one, and
-// noise pulls towards no fraction of a pixel.
+// The disparities are smoothed by local planes (d), the right image is sampled there, and every
+// pixel q near p gives one linear equation for p's correction, from the difference in brightness:
+//     R(x − d_q) − L = G·correction + offset + gain·L,      G = dL/dx / (1 − slope_x)
+// So the patch follows slant and curvature, brightness may differ between the cameras, and
+// neighbours of another surface or with another brightness (occlusion) lose their weight. The
+// derivative comes from the left image at whole pixels: its noise is then independent of the
+// interpolated one, and noise pulls towards no fraction of a pixel.
 #pragma once
 
 #include <opencv2/core/mat.hpp>

@@ -111,40 +111,57 @@ struct Rectification {
     }
 };
 
-StereoFit fit(const std::vector<CornerPairs>& views, ImageSize image) {
+/// The corners of all views as OpenCV wants them.
+struct Corners {
     Points3 board;
     Points2 left_px, right_px;
-    std::size_t corners = 0;
-    for (const CornerPairs& view : views) {
-        board.push_back(view.board_m);
-        left_px.push_back(view.left_px);
-        right_px.push_back(view.right_px);
-        corners += view.board_m.size();
+    std::size_t count = 0;
+
+    explicit Corners(const std::vector<CornerPairs>& views) {
+        for (const CornerPairs& view : views) {
+            board.push_back(view.board_m);
+            left_px.push_back(view.left_px);
+            right_px.push_back(view.right_px);
+            count += view.board_m.size();
+        }
     }
-    const cv::Size size(image.width, image.height);
+};
+
+struct Cameras {
     Camera left, right;
     const Model* model = nullptr;
-    double best = 0.0;
-    for (const Model& candidate : kModels) {
-        Camera l = fit_camera(board, left_px, size, candidate.flags);
-        Camera r = fit_camera(board, right_px, size, candidate.flags);
-        const double criterion = information_criterion(l.rms_px, corners, candidate.parameters) +
-                                 information_criterion(r.rms_px, corners, candidate.parameters);
-        if (model != nullptr && criterion >= best) continue;
-        best = criterion;
-        model = &candidate;
-        left = std::move(l);
-        right = std::move(r);
+};
+
+/// Both cameras alone, with the model that the corners ask for.
+Cameras fit_cameras(const Corners& corners, cv::Size size) {
+    Cameras best;
+    double least = 0.0;
+    for (const Model& model : kModels) {
+        Camera l = fit_camera(corners.board, corners.left_px, size, model.flags);
+        Camera r = fit_camera(corners.board, corners.right_px, size, model.flags);
+        const double criterion = information_criterion(l.rms_px, corners.count, model.parameters) +
+                                 information_criterion(r.rms_px, corners.count, model.parameters);
+        if (best.model != nullptr && criterion >= least) continue;
+        least = criterion;
+        best = {std::move(l), std::move(r), &model};
     }
+    return best;
+}
+
+StereoFit fit(const std::vector<CornerPairs>& views, ImageSize image) {
+    const Corners corners(views);
+    const cv::Size size(image.width, image.height);
+    Cameras cameras = fit_cameras(corners, size);
     cv::Mat R, T, E, F, per_view;
     StereoFit result;
     result.rms_px =
-        cv::stereoCalibrate(board, left_px, right_px, left.K, left.D, right.K, right.D, size, R, T,
-                            E, F, per_view, model->flags | cv::CALIB_USE_INTRINSIC_GUESS,
+        cv::stereoCalibrate(corners.board, corners.left_px, corners.right_px, cameras.left.K,
+                            cameras.left.D, cameras.right.K, cameras.right.D, size, R, T, E, F,
+                            per_view, cameras.model->flags | cv::CALIB_USE_INTRINSIC_GUESS,
                             {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 200, 1e-10});
-    result.rig = rig_from(left, right, R, T, image);
-    result.distortion_model = model->name;
-    result.tilt_deg = largest_tilt_deg(left.rotations);
+    result.rig = rig_from(cameras.left, cameras.right, R, T, image);
+    result.distortion_model = cameras.model->name;
+    result.tilt_deg = largest_tilt_deg(cameras.left.rotations);
     for (int i = 0; i < per_view.rows; ++i) {
         result.rms_left_px.push_back(per_view.at<double>(i, 0));
         result.rms_right_px.push_back(per_view.at<double>(i, 1));
