@@ -14,25 +14,31 @@ class PixelRays {
           origin_m_(view.T_world_camera.translation().cast<float>()),
           R_world_camera_(view.T_world_camera.linear().cast<float>()) {}
 
-    /// Calls use(ray) for every ray of the pixel. Each ray's place on the lamps is in a grid of
-    /// cells too, shifted against that within the pixel, so that soft shadows are stratified.
-    /// Returns the number of rays.
+    /// Calls use(ray) for every ray of the pixel; returns their number. Each ray's place on the
+    /// lamps is in a grid of cells too, shifted against that within the pixel, so that soft
+    /// shadows are stratified.
     template <typename Use>
     int for_each_ray(int column, int row, const Use& use) const {
-        const int side = view_.dense.contains({column, row}) ? view_.grid_dense : view_.grid_else;
-        const int rays = side * side;
+        const bool dense = view_.dense.contains({column, row});
+        const int side = dense ? 3 : 2;
+        const int cells = side * side;
         SeededRandom random(view_.jitter_seed + (static_cast<std::uint64_t>(row) << 32U |
                                                  static_cast<unsigned>(column)));
-        const int lamp_shift = static_cast<int>(random.next() % static_cast<unsigned>(rays));
-        for (int i = 0; i < rays; ++i) {
+        const int lamp_shift = static_cast<int>(random.next() % static_cast<unsigned>(cells));
+        // Cells of 2 × 2: 0 and 3, or 1 and 2, are opposite.
+        const int first = dense ? 0 : static_cast<int>(random.next() % 2U);
+        const int step = dense ? 1 : cells - 1 - 2 * first;
+        int rays = 0;
+        for (int i = first; i < cells - first; i += step) {
             const Eigen::Vector2f in_pixel = in_cell(i, side, random);
-            const Eigen::Vector2f on_lamp = in_cell((i + lamp_shift) % rays, side, random);
+            const Eigen::Vector2f on_lamp = in_cell((i + lamp_shift) % cells, side, random);
             const Eigen::Vector2f x =
                 view_.lens->direction_at(static_cast<float>(column) - 0.5F + in_pixel.x(),
                                          static_cast<float>(row) - 0.5F + in_pixel.y());
             const Eigen::Vector3f direction =
                 (R_world_camera_ * Eigen::Vector3f(x.x(), x.y(), 1.0F)).normalized();
             use(ViewRay{origin_m_, direction, 2.0F * on_lamp - Eigen::Vector2f::Ones()});
+            ++rays;
         }
         return rays;
     }
@@ -50,18 +56,27 @@ class PixelRays {
     Eigen::Matrix3f R_world_camera_;
 };
 
-float pixel_brightness(const Shader& shader, const PixelRays& rays, int column, int row) {
-    float sum = 0.0F;
-    const int count =
-        rays.for_each_ray(column, row, [&](const ViewRay& ray) { sum += shader.brightness(ray); });
-    return sum / static_cast<float>(count);
+struct Pixel {
+    float brightness = 0.0F;
+    bool live = false;
+};
+
+Pixel whole_pixel(const Shader& shader, const PixelRays& rays, int column, int row) {
+    Pixel pixel;
+    const int count = rays.for_each_ray(column, row, [&](const ViewRay& ray) {
+        const auto end = shader.trace(ray);
+        pixel.brightness += shader.brightness(ray, end);
+        pixel.live = pixel.live || shader.depends_on_joint6(ray, end);
+    });
+    pixel.brightness /= static_cast<float>(count);
+    return pixel;
 }
 
-bool pixel_is_live(const Shader& shader, const PixelRays& rays, int column, int row) {
-    bool live = false;
-    rays.for_each_ray(column, row,
-                      [&](const ViewRay& ray) { live = live || shader.depends_on_joint6(ray); });
-    return live;
+float live_pixel(const Shader& shader, const PixelRays& rays, int column, int row) {
+    float sum = 0.0F;
+    const int count = rays.for_each_ray(
+        column, row, [&](const ViewRay& ray) { sum += shader.brightness(ray, shader.trace(ray)); });
+    return sum / static_cast<float>(count);
 }
 
 }  // namespace
@@ -74,9 +89,9 @@ Picture render_all(const Shader& shader, const Viewpoint& view, const ForEach& f
     for_each(static_cast<std::size_t>(size.height), [&](std::size_t index) {
         const int row = static_cast<int>(index);
         for (int column = 0; column < size.width; ++column) {
-            picture.brightness.at<float>(row, column) = pixel_brightness(shader, rays, column, row);
-            picture.live.at<std::uint8_t>(row, column) =
-                pixel_is_live(shader, rays, column, row) ? 255 : 0;
+            const Pixel pixel = whole_pixel(shader, rays, column, row);
+            picture.brightness.at<float>(row, column) = pixel.brightness;
+            picture.live.at<std::uint8_t>(row, column) = pixel.live ? 255 : 0;
         }
     });
     return picture;
@@ -89,7 +104,7 @@ void render_live(const Shader& shader, const Viewpoint& view, Picture& picture,
         const int row = static_cast<int>(index);
         for (int column = 0; column < picture.live.cols; ++column) {
             if (picture.live.at<std::uint8_t>(row, column) == 0) continue;
-            picture.brightness.at<float>(row, column) = pixel_brightness(shader, rays, column, row);
+            picture.brightness.at<float>(row, column) = live_pixel(shader, rays, column, row);
         }
     });
 }

@@ -10,14 +10,13 @@
 
 namespace gripscan::sim {
 
-/// Whose eye it is, and how closely it looks. The rays of a pixel lie in a grid of cells, each
-/// somewhere within its own; where is decided by the seed and the pixel alone.
+/// Whose eye it is, and where it looks closely: with 9 rays a pixel, one somewhere in each cell of
+/// a grid of 3 × 3; elsewhere with 2, in opposite cells of 2 × 2. The seed and the pixel alone
+/// decide where in its cell a ray goes.
 struct Viewpoint {
     const Lens* lens = nullptr;
     Pose T_world_camera = Pose::Identity();
-    cv::Rect dense;      ///< where the gripper may be seen
-    int grid_dense = 3;  ///< 3 × 3 rays a pixel in there
-    int grid_else = 2;   ///< 2 × 2 elsewhere
+    cv::Rect dense;  ///< where the gripper may be seen
     std::uint64_t jitter_seed = 0;
 };
 
@@ -31,7 +30,7 @@ struct Picture {
                                  const ForEach& for_each);
 
 /// Renders the live pixels again, for another angle of joint 6: the picture is then the same as
-/// from render_all(), at a tenth of the time.
+/// from render_all(), at a fraction of the time.
 void render_live(const Shader& shader, const Viewpoint& view, Picture& picture,
                  const ForEach& for_each);
 

@@ -54,22 +54,25 @@ Shader::Light Shader::light_at(const ViewRay& ray, const Hit& hit, float gloss) 
     return light;
 }
 
-float Shader::brightness(const ViewRay& ray) const {
+std::optional<Hit> Shader::trace(const ViewRay& ray) const {
     Hit hit;
-    if (!scene_->trace(ray.origin_m, ray.direction, hit)) return 0.0F;
-    const Finish& finish = finishes_[hit.body][hit.part];
-    const Light light = light_at(ray, hit, finish.gloss);
-    return finish.albedo * finish.texture.factor(hit.local_m) * light.on_surface + light.highlight;
+    if (!scene_->trace(ray.origin_m, ray.direction, hit)) return std::nullopt;
+    return hit;
 }
 
-bool Shader::depends_on_joint6(const ViewRay& ray) const {
-    Hit hit;
-    const bool ends = scene_->trace(ray.origin_m, ray.direction, hit);
-    const float length_m = ends ? hit.distance_m : kFar_m;
-    if (ends && turns_with_joint6(hit.body)) return true;
+float Shader::brightness(const ViewRay& ray, const std::optional<Hit>& end) const {
+    if (!end) return 0.0F;
+    const Finish& finish = finishes_[end->body][end->part];
+    const Light light = light_at(ray, *end, finish.gloss);
+    return finish.albedo * finish.texture.factor(end->local_m) * light.on_surface + light.highlight;
+}
+
+bool Shader::depends_on_joint6(const ViewRay& ray, const std::optional<Hit>& end) const {
+    if (end && turns_with_joint6(end->body)) return true;
+    const float length_m = end ? end->distance_m : kFar_m;
     if (swept_->blocked(ray.origin_m, ray.origin_m + length_m * ray.direction)) return true;
-    if (!ends) return false;
-    const Eigen::Vector3f p_m = lifted(ray, hit);
+    if (!end) return false;
+    const Eigen::Vector3f p_m = lifted(ray, *end);
     return std::any_of(lighting_.lamps.begin(), lighting_.lamps.end(), [&](const Lamp& lamp) {
         return swept_->blocked(p_m, place_on(lamp, ray.lamp_place));
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/sim/lighting.h"
@@ -25,12 +26,15 @@ class Shader {
     Shader(const SceneModel& model, Lighting lighting, const RayScene& scene,
            const RayScene& swept);
 
-    /// Brightness in levels, without upper limit; 0 where the ray leaves the cell.
-    [[nodiscard]] float brightness(const ViewRay& ray) const;
+    /// Where the ray ends; nothing if it leaves the cell.
+    [[nodiscard]] std::optional<Hit> trace(const ViewRay& ray) const;
+
+    /// Brightness in levels, without upper limit, of a ray that ends there; 0 outside the cell.
+    [[nodiscard]] float brightness(const ViewRay& ray, const std::optional<Hit>& end) const;
 
     /// False if the brightness is the same at every angle of joint 6: neither the ray nor the
     /// light on its way to where the ray ends passes through the swept volume.
-    [[nodiscard]] bool depends_on_joint6(const ViewRay& ray) const;
+    [[nodiscard]] bool depends_on_joint6(const ViewRay& ray, const std::optional<Hit>& end) const;
 
   private:
     struct Finish {
