@@ -25,7 +25,9 @@ struct StereoSettings {
 
 /// How well the pair could be used, inside the region where there is one.
 struct StereoHealth {
-    double fill = 0.0;            ///< share of textured pixels with a disparity
+    /// Share of textured pixels with a disparity. With a region, textured background behind it
+    /// counts as not found: compare captures of one cell, not cells.
+    double fill = 0.0;
     double mean_intensity = 0.0;  ///< 0 … 255
     double saturated = 0.0;       ///< share of pixels at 255 (or 0)
     double texture = 0.0;         ///< median local contrast (standard deviation), levels
