@@ -8,12 +8,12 @@ namespace {
 
 /// Weighted sums of a plane fit, for eight pixels.
 struct PlaneSums {
-    Lanes w, x, y, xx, xy, yy, d, xd, yd, dd;
+    Lanes w, x, y, xx, xy, yy, d, xd, yd;
 };
 
 /// The plane relative to the centre pixel, for eight pixels.
 struct PlaneLanes {
-    Lanes value{}, slope_x{}, slope_y{}, support{}, variance{};
+    Lanes value{}, slope_x{}, slope_y{}, support{};
 };
 
 struct PaddedDisparity {
@@ -41,7 +41,7 @@ GRIPSCAN_FAST PlaneSums gather(const PaddedDisparity& map, const std::vector<Win
                                int y, int x, const PlaneLanes& plane, float tolerance_px) {
     const float scale = 1.0F / (tolerance_px * tolerance_px);
     const Lanes centre = load(map.value.ptr<float>(y + map.pad) + x + map.pad);
-    Lanes sw{}, sx{}, sy{}, sxx{}, sxy{}, syy{}, sd{}, sxd{}, syd{}, sdd{};
+    Lanes sw{}, sx{}, sy{}, sxx{}, sxy{}, syy{}, sd{}, sxd{}, syd{};
     for (const WindowTap& tap : taps) {
         const int column = x + map.pad + tap.dx;
         const float dx = static_cast<float>(tap.dx);
@@ -60,9 +60,8 @@ GRIPSCAN_FAST PlaneSums gather(const PaddedDisparity& map, const std::vector<Win
         sd += wd;
         sxd += wd * dx;
         syd += wd * dy;
-        sdd += wd * d;
     }
-    return {sw, sx, sy, sxx, sxy, syy, sd, sxd, syd, sdd};
+    return {sw, sx, sy, sxx, sxy, syy, sd, sxd, syd};
 }
 
 void solve(const PlaneSums& s, PlaneLanes& plane) {
@@ -82,50 +81,6 @@ void solve(const PlaneSums& s, PlaneLanes& plane) {
     plane.slope_y = (xx * yd - xy * xd) / det;
     plane.value = md - plane.slope_x * mx - plane.slope_y * my;
     plane.support = s.w;
-    const Lanes dd = s.dd - md * s.d;
-    plane.variance = (dd - plane.slope_x * xd - plane.slope_y * yd) / w;
-}
-
-/// A window across a small step holds a ramp that fits neither side. Where the plane of a window
-/// beside the pixel fits its own surroundings much better and agrees with the pixel, the pixel
-/// belongs to that plane (the idea of Kuwahara et al. 1976, for planes).
-LocalPlanes prefer_better_planes(const cv::Mat& disparity, const LocalPlanes& own,
-                                 const cv::Mat& variance, const PlaneSettings& settings,
-                                 const ForEach& for_each) {
-    const static float kMuchBetter = getenv("MB")?(float)atof(getenv("MB")):0.5F;
-    const static float kFitsWell_px2 = getenv("FW")?(float)atof(getenv("FW")):0.002F;
-    const static float kAgrees_px = getenv("AG")?(float)atof(getenv("AG")):0.6F;
-    const static float kFrac = getenv("FR")?(float)atof(getenv("FR")):0.75F;
-    const int h = std::max(1, (int)std::lround(kFrac*settings.radius));
-    LocalPlanes chosen{own.value.clone(), own.slope_x.clone(), own.slope_y.clone(), own.support};
-    const cv::Rect all(0, 0, disparity.cols, disparity.rows);
-    for_each(static_cast<std::size_t>(disparity.rows), [&](std::size_t row) {
-        const int y = static_cast<int>(row);
-        for (int x = 0; x < disparity.cols; ++x) {
-            const float d = disparity.at<float>(y, x);
-            if (!std::isfinite(d)) continue;
-            float best = variance.at<float>(y, x);
-            if (best < kFitsWell_px2) continue;
-            best *= kMuchBetter;
-            for (int j = -1; j <= 1; ++j) {
-                for (int i = -1; i <= 1; ++i) {
-                    const int u = x + i * h;
-                    const int v = y + j * h;
-                    if ((i == 0 && j == 0) || !all.contains({u, v})) continue;
-                    const float there = own.value.at<float>(v, u);
-                    if (!std::isfinite(there) || variance.at<float>(v, u) >= best) continue;
-                    const float here = there - own.slope_x.at<float>(v, u) * static_cast<float>(i * h) -
-                                       own.slope_y.at<float>(v, u) * static_cast<float>(j * h);
-                    if (std::abs(here - d) > kAgrees_px) continue;
-                    best = variance.at<float>(v, u);
-                    chosen.value.at<float>(y, x) = here;
-                    chosen.slope_x.at<float>(y, x) = own.slope_x.at<float>(v, u);
-                    chosen.slope_y.at<float>(y, x) = own.slope_y.at<float>(v, u);
-                }
-            }
-        }
-    });
-    return chosen;
 }
 
 }  // namespace
@@ -139,7 +94,6 @@ LocalPlanes fit_local_planes(const cv::Mat& disparity, const PlaneSettings& sett
         *m = cv::Mat::zeros(disparity.size(), CV_32F);
     }
     planes.value = cv::Mat(disparity.size(), CV_32F, cv::Scalar(kNoDisparity));
-    cv::Mat variance = cv::Mat::zeros(disparity.size(), CV_32F);
     for_each_group(map.known, map.pad, disparity.size(), for_each, [&](int y, int x) {
         PlaneLanes plane;
         float tolerance = settings.tolerance_px;
@@ -155,10 +109,9 @@ LocalPlanes fit_local_planes(const cv::Mat& disparity, const PlaneSettings& sett
             planes.slope_x.at<float>(y, x + i) = plane.slope_x[i];
             planes.slope_y.at<float>(y, x + i) = plane.slope_y[i];
             planes.support.at<float>(y, x + i) = plane.support[i];
-            variance.at<float>(y, x + i) = std::max(plane.variance[i], 0.0F);
         }
     });
-    return prefer_better_planes(disparity, planes, variance, settings, for_each);
+    return planes;
 }
 
 }  // namespace gripscan
