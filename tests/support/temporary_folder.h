@@ -16,7 +16,8 @@ class TemporaryFolder {
     TemporaryFolder() {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
         std::string name = std::string("gripscan Prüf ") + info->test_suite_name() + "." +
-                           info->name() + "." + std::to_string(::getpid());
+                           info->name() + "." + std::to_string(::getpid()) + "." +
+                           std::to_string(made_++);
         for (char& c : name) {
             if (c == '/') c = '-';
         }
@@ -37,6 +38,7 @@ class TemporaryFolder {
     }
 
   private:
+    inline static int made_ = 0;  ///< a test may want several
     std::filesystem::path path_;
 };
 
