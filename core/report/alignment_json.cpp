@@ -20,8 +20,10 @@ std::string alignment_json(const Alignment& alignment, const std::optional<doubl
     put_euler(json, T);
     json["overlap"] = json_number(known(alignment.overlap));
     json["rms_mm"] = json_mm(known(alignment.rms_m));
-    json["sigma_deg"] = json_deg(known(alignment.sigma_angle_rad));
-    json["observability"] = json_number(known(alignment.observability));
+    // The paper's method predicts no uncertainty.
+    const bool predicted = alignment.found && alignment.sigma_angle_rad > 0.0;
+    json["sigma_deg"] = predicted ? json_deg(alignment.sigma_angle_rad) : Json(nullptr);
+    json["observability"] = predicted ? json_number(alignment.observability) : Json(nullptr);
     json["starts_agree"] = alignment.starts_agree;
     json["verdict"] = word(alignment.verdict);
     json["cause"] = word(alignment.cause);

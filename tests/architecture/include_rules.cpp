@@ -91,9 +91,10 @@ bool is_system_header(std::string_view target) {
     if (target.find('.') == std::string_view::npos && target.find('/') == std::string_view::npos) {
         return true;
     }
-    constexpr std::array<std::string_view, 14> kSystem{
-        "fcntl.h", "unistd.h", "stdio.h", "pthread.h", "signal.h", "termios.h", "poll.h",
-        "sys/",    "netinet/", "arpa/",   "netdb.h",   "dlfcn.h",  "linux/",    "immintrin.h"};
+    constexpr std::array<std::string_view, 15> kSystem{
+        "fcntl.h",  "glob.h",    "unistd.h", "stdio.h", "pthread.h",
+        "signal.h", "termios.h", "poll.h",   "sys/",    "netinet/",
+        "arpa/",    "netdb.h",   "dlfcn.h",  "linux/",  "immintrin.h"};
     return std::any_of(kSystem.begin(), kSystem.end(),
                        [&](std::string_view known) { return target.starts_with(known); });
 }
