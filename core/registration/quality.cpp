@@ -19,6 +19,9 @@ double quantile(std::vector<double>& values, double share) {
 /// Eigenvalues below this share of the largest one are a null space (sliding directions).
 constexpr double kNull = 1e-6;
 
+/// Least stiffness, as a share of the largest, that a motion beside the turn is taken to have.
+constexpr double kSlack = 0.01;
+
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric);
     const double smallest = kNull * solver.eigenvalues().cwiseAbs().maxCoeff();
@@ -108,9 +111,16 @@ double turn_observability(const Surface& source, const Surface& target,
     turn.topLeftCorner<3, 3>() = basis / radius;
     turn.bottomRightCorner<3, 3>() = basis;
     const Matrix6d A = turn.transpose() * information * turn;
-    const Eigen::MatrixXd others = A.bottomRightCorner<5, 5>();
-    const Eigen::VectorXd cross = A.block<5, 1>(1, 0);
-    const double rest = A(0, 0) - cross.dot(pseudo_inverse(others) * cross);
+    // A product of two noisy normals may have small negative eigenvalues; what gives way that
+    // easily is bounded by the floor.
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 5, 5>> others(
+        A.bottomRightCorner<5, 5>());
+    const double floor = kSlack * others.eigenvalues().maxCoeff();
+    if (floor <= 0.0) return 0.0;
+    const Eigen::Matrix<double, 5, 1> cross =
+        others.eigenvectors().transpose() * A.block<5, 1>(1, 0);
+    const double rest =
+        A(0, 0) - (cross.array().square() / others.eigenvalues().array().max(floor)).sum();
     return std::sqrt(std::clamp(rest, 0.0, 1.0));
 }
 
