@@ -21,6 +21,9 @@ constexpr double kLeastMatched = 0.25;
 constexpr double kRivalMargin = 0.05;
 /// Minima whose refined poses differ by more than this are different answers.
 constexpr double kDifferentAnswer_rad = 1.0 * kRadPerDeg;
+/// With more than this share of the samples where the other camera looked through, it is no answer:
+/// right poses have next to none, sides that share nothing a tenth to a fifth.
+constexpr double kMostContradicted = 0.15;
 /// Starts of the second search, over all rotations, when the first one convinces nobody.
 constexpr int kWideStarts = 240;
 
@@ -196,6 +199,20 @@ Alignment finish_alignment(const Surface& source, const Surface& target, const P
     return a;
 }
 
+namespace {
+
+/// Does a rival end in the same answer once it has all points and the texture? With the few points
+/// of the search, starts come to rest some way up the same valley.
+bool leads_to(const Pose& answer, const Surface& source, const Surface& target,
+              const Candidate& rival, const AlignSettings& settings) {
+    if (rotation_between_rad(rival.T_target_source, answer) <= kDifferentAnswer_rad) return true;
+    const Pose settled =
+        finish_alignment(source, target, rival.T_target_source, settings).T_target_source;
+    return rotation_between_rad(settled, answer) <= kDifferentAnswer_rad;
+}
+
+}  // namespace
+
 Result<Alignment> align_surfaces(const Surface& source, const Surface& target,
                                  const AlignSettings& settings, const Progress& progress,
                                  const ForEach& for_each) {
@@ -218,16 +235,22 @@ Result<Alignment> align_surfaces(const Surface& source, const Surface& target,
     auto ranked =
         finals(source, target, maps[0], maps[1], std::move(candidates), settings, for_each);
     Alignment best = finish_alignment(source, target, ranked.front().T_target_source, settings);
+    const double least_score = ranked.front().agreement.score - kRivalMargin;
     best.starts_agree = true;
-    for (std::size_t i = 1; i < ranked.size(); ++i) {
-        const bool close =
-            ranked[i].agreement.score > ranked.front().agreement.score - kRivalMargin;
-        if (close && rotation_between_rad(ranked[i].T_target_source,
-                                          ranked.front().T_target_source) > kDifferentAnswer_rad) {
-            best.starts_agree = false;
-        }
+    for (std::size_t i = 1; i < ranked.size() && best.starts_agree; ++i) {
+        best.starts_agree = ranked[i].agreement.score <= least_score ||
+                            leads_to(best.T_target_source, source, target, ranked[i], settings);
     }
     judge_alone(best, settings);
+    const double contradicted = ranked.front().agreement.contradicted;
+    if (best.verdict != Verdict::kReject && contradicted > kMostContradicted) {
+        best.verdict = Verdict::kReject;
+        best.cause = Cause::kNotConverged;
+        best.sentence = fmt::format(
+            "no pose fits: in the best one {:.0f} % of the points would float where the other "
+            "view looks through",
+            100.0 * contradicted);
+    }
     return best;
 }
 
