@@ -14,6 +14,15 @@ namespace {
 
 /// Normals that may belong to the same side of a wall.
 constexpr float kSameSide = 0.3F;
+/// Cosine of the viewing angle up to which a view is expected to see a surface.
+constexpr float kFacing = 0.5F;
+/// Least share of the views that could have seen a point which must have seen it.
+constexpr double kLeastConfirmed = 0.55;
+/// How much a view counts that has no data where it could have seen the point: stereo may have
+/// failed there, or there is nothing.
+constexpr double kBlank = 0.5;
+/// Radius of the surface around a point that is averaged, in voxels.
+constexpr float kRadius = 1.5F;
 /// Sizes of blocks of template points that one turn of a loop works on.
 constexpr std::size_t kBlock = 2048;
 
@@ -145,16 +154,23 @@ std::vector<std::optional<DepthMap>> depth_maps(std::span<const PosedView> views
     return maps;
 }
 
-bool looked_through(const Smoothed& s, std::span<const PosedView> views,
-                    const std::vector<std::optional<DepthMap>>& maps, float tolerance_m) {
-    int through = 0;
+/// Of the views that could have seen the point (it faces them and nothing they saw hides it), the
+/// share that did. Debris at silhouettes is seen by a few views and looked through by the others.
+double confirmed_share(const Smoothed& s, std::span<const PosedView> views,
+                       const std::vector<std::optional<DepthMap>>& maps, float tolerance_m) {
+    double could_see = 0.0;
     for (std::size_t k = 0; k < views.size(); ++k) {
         if (!maps[k]) continue;
         const Pose T = views[k].T_first_view.inverse();
         const Eigen::Vector3f p = (T * s.point.cast<double>()).cast<float>();
-        if (maps[k]->look(p, tolerance_m) == Sight::kInFront) ++through;
+        const Eigen::Vector3f n = (T.linear() * s.normal.cast<double>()).cast<float>();
+        const Eigen::Vector3f ray = (p - *views[k].cloud->viewpoint).normalized();
+        if (-n.dot(ray) < kFacing) continue;
+        const Sight sight = maps[k]->look(p, tolerance_m);
+        if (sight == Sight::kHidden) continue;
+        could_see += sight == Sight::kNothing ? kBlank : 1.0;
     }
-    return through >= s.seen;
+    return s.seen / std::max<double>(could_see, s.seen);
 }
 
 }  // namespace
@@ -167,7 +183,7 @@ Cloud merge_views(std::span<const PosedView> views, const MergeSettings& setting
     const std::vector<Seed> rough = seeds(all, settings.voxel_m);
     const KdTree tree(all.points);
     const auto maps = depth_maps(views, for_each);
-    const auto radius_m = static_cast<float>(1.5 * settings.voxel_m);
+    const auto radius_m = static_cast<float>(kRadius * settings.voxel_m);
     const auto tolerance_m = static_cast<float>(3.0 * settings.voxel_m);
     std::vector<Smoothed> fine(rough.size());
     for_each((rough.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
@@ -177,7 +193,7 @@ Cloud merge_views(std::span<const PosedView> views, const MergeSettings& setting
             if (rough[i].count == 0) continue;
             fine[i] = smooth(all, tree, rough[i], radius_m, found);
             if (fine[i].seen < settings.min_seen ||
-                looked_through(fine[i], views, maps, tolerance_m)) {
+                confirmed_share(fine[i], views, maps, tolerance_m) < kLeastConfirmed) {
                 fine[i].seen = 0;
             }
         }

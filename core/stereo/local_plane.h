@@ -20,7 +20,10 @@ struct LocalPlanes {
 struct PlaneSettings {
     int radius = 6;             ///< px; weights fall towards the rim
     float tolerance_px = 2.0F;  ///< pixels further from the plane belong to another surface
-    int rounds = 2;             ///< reweightings, each with half the tolerance of the one before
+    /// At small steps and creases, where the window around a pixel fits badly, take the plane of a
+    /// window beside it. Follows the surface closer, keeps more noise.
+    bool look_beside = false;
+    int rounds = 2;  ///< reweightings, each with half the tolerance of the one before
 };
 
 /// Robust (Tukey) weighted least squares per pixel. Unknown pixels are not finite.

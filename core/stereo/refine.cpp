@@ -93,6 +93,7 @@ Refined refine_disparity(const StereoFrame& rectified, const cv::Rect& roi,
     cv::Mat1f lever_px(roi.size(), kNoDisparity);
     PlaneSettings plane_settings;
     plane_settings.radius = settings.radius;
+    plane_settings.look_beside = settings.look_beside;
     for (int iteration = 1; iteration <= settings.iterations; ++iteration) {
         const LocalPlanes planes = fit_local_planes(current, plane_settings, for_each);
         const float surface_px = iteration == 1 ? 1.5F : 0.75F;

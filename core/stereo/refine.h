@@ -17,7 +17,8 @@
 namespace gripscan {
 
 struct RefineSettings {
-    int radius = 6;  ///< of the patch, px; weights fall towards the rim
+    int radius = 6;            ///< of the patch, px; weights fall towards the rim
+    bool look_beside = false;  ///< see PlaneSettings
     int iterations = 3;
     float max_move_px = 1.5F;       ///< further from the first guess: not this surface
     float max_sigma_px = 0.25F;     ///< predicted; above: too little texture

@@ -6,9 +6,9 @@
 namespace gripscan {
 
 struct RejectSettings {
-    float step_px = 1.5F;     ///< a larger step between neighbours, beyond the slant, is an edge
-    int rim_px = 2;           ///< pixels as near to the end of a surface are dropped
-    int spike_px = 2;         ///< half the width of what counts as a spike on the rim
+    float step_px = 0.7F;     ///< a larger step between neighbours, beyond the slant, is an edge
+    int rim_px = 1;           ///< pixels as near to the end of a surface are dropped
+    int spike_px = 1;         ///< half the width of what counts as a spike on the rim
     int max_hole_px = 40;     ///< holes of fewer pixels within a surface are no edge
     int min_island_px = 150;  ///< smaller connected surfaces are dropped
 };

@@ -17,6 +17,9 @@ namespace {
 
 /// Without refinement SGBM's error counts: mostly pixel locking.
 constexpr float kUnrefinedSigmaPx = 0.2F;
+/// Radius of the narrow patches, and how well the wide ones must agree with them.
+constexpr int kNarrowPatchPx = 4;
+constexpr float kAgreementSigmas = 1.5F;
 /// Smaller connected pieces of a first guess are chance matches.
 constexpr int kMinIslandPx = 100;
 constexpr float kIslandStepPx = 1.0F;
@@ -34,6 +37,28 @@ Status check(const StereoFrame& frame, const RectifiedRig& rig) {
         }
     }
     return {};
+}
+
+/// Wide patches know a surface best; narrow ones follow it into corners and up to its rim. The wide
+/// result stands where the narrow one agrees, else the narrow one.
+Refined refine_at_two_scales(const StereoFrame& rectified, const cv::Rect& roi,
+                             const cv::Mat& first_guess, const ForEach& for_each) {
+    RefineSettings narrow;
+    narrow.radius = kNarrowPatchPx;
+    narrow.look_beside = true;
+    Refined result = refine_disparity(rectified, roi, first_guess, narrow, for_each);
+    const Refined wide = refine_disparity(rectified, roi, first_guess, {}, for_each);
+    for (int y = 0; y < roi.height; ++y) {
+        for (int x = 0; x < roi.width; ++x) {
+            const float w = wide.disparity.at<float>(y, x);
+            float& n = result.disparity.at<float>(y, x);
+            float& sigma = result.sigma.at<float>(y, x);
+            if (!std::isfinite(w) || !(std::abs(w - n) < kAgreementSigmas * sigma)) continue;
+            n = w;
+            sigma = wide.sigma.at<float>(y, x);
+        }
+    }
+    return result;
 }
 
 /// The full image with the disparities of the roi; dense where there is no region.
@@ -68,7 +93,7 @@ Result<StereoCloud> stereo_cloud(const StereoFrame& rectified, const RectifiedRi
     Refined refined{first_guess.clone(),
                     cv::Mat(roi.size(), CV_32F, cv::Scalar(kUnrefinedSigmaPx))};
     if (settings.refine) {
-        refined = refine_disparity(rectified, roi, first_guess, RefineSettings{}, for_each);
+        refined = refine_at_two_scales(rectified, roi, first_guess, for_each);
     }
     if (progress.cancelled()) return cancelled_error();
     StereoCloud result;

@@ -222,7 +222,9 @@ TEST(StereoCloudRecordings, RenderedPartIsThere) {
         ASSERT_TRUE(result) << result.error().message;
         std::cout << "rendered part " << i << ": " << result->cloud.size() << " points, row error "
                   << result->health.row_error_px << " px\n";
-        EXPECT_GT(result->cloud.size(), 13000U);
+        // Body, rod and flange cover about 18,000 px; their outer rims and every small step between
+        // them are cut.
+        EXPECT_GT(result->cloud.size(), 11000U);
         EXPECT_LT(std::abs(result->health.row_error_px), 0.1);
     }
 }
@@ -248,8 +250,8 @@ TEST(StereoCloudRecordings, BumblebeeScenesBecomeClouds) {
         std::nth_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2), z.end());
         std::cout << name << ": " << z.size() << " points, median depth " << z[z.size() / 2]
                   << " m, row error " << result->health.row_error_px << " px\n";
-        // Walls and floor of the chair's room have no texture.
-        EXPECT_GT(z.size(), 640U * 480U * 3 / 10);
+        // Walls and floor of the chair's room have no texture; rims and small steps are cut.
+        EXPECT_GT(z.size(), 640U * 480U / 4);
         // Median of another matcher's valid pixels: the same scene, not the same pixels.
         EXPECT_NEAR(static_cast<double>(z[z.size() / 2]), depth_m, 0.25 * depth_m);
         EXPECT_LT(std::abs(result->health.row_error_px), 0.2);
