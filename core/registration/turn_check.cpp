@@ -26,11 +26,15 @@ struct Criterion {
     std::string sentence;
 };
 
-Criterion angle_criterion(const TurnStep& step, const TurnLimits& limits) {
+Criterion angle_criterion(const TurnStep& step, const StepEvidence& evidence,
+                          const TurnLimits& limits) {
     if (!step.error_rad) return {};
     const double sigma = step.sigma_rad.value_or(0.0);
     const double limit = std::max(limits.angle_rad, limits.sigmas * sigma);
-    return {std::abs(*step.error_rad) / limit, Cause::kMislabelled,
+    // Our estimate from many starts is not that wrong by itself: the capture is not what its label
+    // says. Plain ICP from one start has more likely stopped somewhere.
+    const Cause cause = evidence.paper_icp ? Cause::kNotConverged : Cause::kMislabelled;
+    return {std::abs(*step.error_rad) / limit, cause,
             fmt::format("scans turned by {:.3f} deg, robot by {:.3f} deg: error {:+.3f} deg, limit "
                         "{:.3f} deg",
                         deg_from_rad(*step.icp_rad), deg_from_rad(*step.icp_rad - *step.error_rad),
@@ -90,7 +94,7 @@ void judge_step(TurnStep& step, const StepEvidence& evidence, const TurnLimits& 
     step.cause = Cause::kNone;
     if (not_usable(step, evidence)) return;
     const std::array<Criterion, 4> criteria{
-        angle_criterion(step, limits), overlap_criterion(step, limits),
+        angle_criterion(step, evidence, limits), overlap_criterion(step, limits),
         slip_criterion(step, limits), tilt_criterion(step, limits)};
     const Criterion& worst = *std::max_element(
         criteria.begin(), criteria.end(),

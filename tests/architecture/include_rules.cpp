@@ -40,7 +40,6 @@ struct LibraryRule {
 const std::vector<LibraryRule> kLibraries{
     {"tl/expected.hpp", {"core/base"}, true},
     {"fmt/", {"core", "ui", "app"}, true},
-    {"spdlog/", {"core/base", "app"}, false},
     {"Eigen/", {"core", "ui", "app"}, true},
     {"nanoflann.hpp", {"core/cloud"}, false},
     {"assimp/", {"core/cloud"}, false},
