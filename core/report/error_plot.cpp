@@ -45,6 +45,7 @@ class ErrorPlot {
         text += band(report_.limits.sigmas, "band-wide") + band(1.0, "band");
         text += grid() + limits() + step_labels();
         for (std::size_t i = 0; i < report_.steps.size(); ++i) text += mark(i);
+        text += values_beyond();
         return text + "</svg>\n";
     }
 
@@ -137,19 +138,36 @@ class ErrorPlot {
                 "text-anchor=\"middle\">?{}</text>\n",
                 px, y(0.0) - 6.0, title("no error known"));
         }
-        const double py = y(error_deg(step));
+        return fmt::format(
+            "<path class=\"mark {}\" transform=\"translate({:.2f} {:.2f})\" d=\"{}\">{}</path>\n",
+            word(step.verdict), px, y(error_deg(step)), shape(step.verdict),
+            title(fmt::format("{:.3f} deg", error_deg(step))));
+    }
+
+    /// The values of the marks beyond the scale, in rows where neighbours would overlap.
+    [[nodiscard]] std::string values_beyond() const {
+        std::array<double, 3> above{};  // where the text of each row ends
+        std::array<double, 3> below{};
         std::string text;
-        if (std::abs(error_deg(step)) > top_deg_) {
-            text = fmt::format(
-                "<text class=\"value\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"middle\">{:.2f}"
+        for (std::size_t i = 0; i < report_.steps.size(); ++i) {
+            const TurnStep& step = report_.steps[i];
+            if (!step.error_rad || std::abs(error_deg(step)) <= top_deg_) continue;
+            const double px = x(static_cast<double>(i));
+            const std::string value = fmt::format("{:.2f}", error_deg(step));
+            const double half_width = 4.0 * static_cast<double>(value.size());
+            const bool up = error_deg(step) > 0.0;
+            auto& ends = up ? above : below;
+            auto* row = std::find_if(ends.begin(), ends.end(),
+                                     [&](double end) { return end <= px - half_width; });
+            if (row == ends.end()) row = std::min_element(ends.begin(), ends.end());
+            *row = px + half_width;
+            const double shift = 13.0 * static_cast<double>(row - ends.begin());
+            text += fmt::format(
+                "<text class=\"value\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"middle\">{}"
                 "</text>\n",
-                px, py + (error_deg(step) > 0 ? 20.0 : -12.0), error_deg(step));
+                px, y(error_deg(step)) + (up ? 20.0 + shift : -12.0 - shift), value);
         }
-        return text + fmt::format(
-                          "<path class=\"mark {}\" transform=\"translate({:.2f} {:.2f})\" "
-                          "d=\"{}\">{}</path>\n",
-                          word(step.verdict), px, py, shape(step.verdict),
-                          title(fmt::format("{:.3f} deg", error_deg(step))));
+        return text;
     }
 
     [[nodiscard]] static std::string_view shape(Verdict verdict) {

@@ -1,5 +1,7 @@
 #include "core/report/html_page.h"
 
+#include <algorithm>
+
 #include "core/base/units.h"
 #include "core/report/error_plot.h"
 #include "core/report/html_style.h"
@@ -73,7 +75,9 @@ std::string figures(const HtmlPageInput& input) {
         text += figure("Sum of the ICP angles", sum, "deg");
     }
     text += closure_figure("Closure, step by step", report.closure_before);
-    text += closure_figure("Closure, joint solution", report.closure_after);
+    if (closed_jointly(report)) {
+        text += closure_figure("Closure, joint solution", report.closure_after);
+    }
     if (report.axis) {
         text += figure("Axis known to", deg3(report.axis->sd_rad),
                        fmt::format("deg, {:.3f} mm", report.axis->sd_m * kMmPerM));
@@ -88,11 +92,17 @@ std::string plot(const TurnReport& report) {
         return "<p class=\"note\">No angle of the robot or of the command is known, so there is "
                "nothing to compare the scans with.</p>\n";
     }
-    return svg + fmt::format(
-                     "<p class=\"legend\">Disc: accepted, triangle: to check, cross: rejected. "
-                     "Dark band: predicted standard deviation of the step, light band: {:g} times "
-                     "that. Dashed: limit {:g} deg.</p>\n",
-                     report.limits.sigmas, deg_from_rad(report.limits.angle_rad));
+    const bool predicted = std::any_of(report.steps.begin(), report.steps.end(),
+                                       [](const TurnStep& s) { return s.sigma_rad.has_value(); });
+    std::string text = "<div class=\"scroll\">" + svg + "</div>\n";
+    text += "<p class=\"legend\">Disc: accepted, triangle: to check, cross: rejected. ";
+    if (predicted) {
+        text += fmt::format(
+            "Dark band: predicted standard deviation of the step, light band: {:g} times that. ",
+            report.limits.sigmas);
+    }
+    return text +
+           fmt::format("Dashed: limit {:g} deg.</p>\n", deg_from_rad(report.limits.angle_rad));
 }
 
 std::string table_html(const Table1& table) {
@@ -154,8 +164,7 @@ std::string notes(const TurnReport& report) {
         limits.slip_m * kMmPerM, deg_from_rad(limits.tilt_rad));
     text += fmt::format(
         "<p class=\"note\">Error: ICP angle minus the robot's, or the commanded one where the "
-        "robot "
-        "told none. Roll, pitch, yaw (R = Rz Ry Rx) and X, Y, Z are of the transform between "
+        "robot told none. Roll, pitch, yaw (R = Rz Ry Rx) and X, Y, Z are of the transform between "
         "consecutive captures in the frame of the rectified left camera. The sign of the turn "
         "comes from {}.</p>\n",
         sign_note(report.sign_source));
@@ -182,7 +191,8 @@ std::string html_page(const HtmlPageInput& input) {
         name, overall(summary_of(input.report)), escaped(summary_sentence(input.report)));
     text += figures(input);
     text += "<h2>Error of every step</h2>\n" + plot(input.report) + causes(input.report);
-    text += "<h2>Table 1</h2>\n" + table_html(input.table) + notes(input.report);
+    text += "<section><h2>Table 1</h2>\n" + table_html(input.table) + "</section>\n" +
+            notes(input.report);
     return text + fmt::format("<footer>gripscan {}</footer>\n</main>\n</body>\n</html>\n",
                               escaped(input.version));
 }

@@ -22,7 +22,7 @@ h2{font-size:16px;font-weight:650;margin:36px 0 10px}
 .verdict.accept{color:var(--accept);background:var(--accept-bg)}
 .verdict.check{color:var(--check);background:var(--check-bg)}
 .verdict.reject{color:var(--reject);background:var(--reject-bg)}
-dl.figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(225px,1fr));gap:12px;
+dl.figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(245px,1fr));gap:12px;
 margin:22px 0 0}
 dl.figures div{background:var(--panel);border:1px solid var(--line);border-radius:8px;
 padding:10px 14px}
@@ -43,6 +43,7 @@ svg path.mark.reject{fill:none;stroke:var(--reject);stroke-width:2.6;stroke-line
 svg text.mark.reject{fill:var(--reject);font-size:15px;font-weight:700}
 .legend{color:var(--second);font-size:13px;margin:6px 0 0}
 .scroll{overflow-x:auto}
+.scroll svg{min-width:760px}
 table{border-collapse:collapse;width:100%;font-size:12px;font-variant-numeric:tabular-nums}
 th{font-weight:600;color:var(--third);text-align:right;vertical-align:top;
 border-bottom:1.5px solid var(--third);padding:4px 5px}
@@ -65,8 +66,15 @@ padding-top:12px}
 body{font-size:11px;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 main{max-width:none;padding:0}
 table{font-size:9px}td,th{padding:1.5px 4px}
+h1{font-size:20px}
+dd{font-size:15px}
+dd small,dt,.kicker,.legend,p.note,footer{font-size:10.5px}
 h2{margin:18px 0 6px;break-after:avoid}
-tr,svg,dl.figures div{break-inside:avoid}
+section,li,p.note,tr,svg,dl.figures div{break-inside:avoid}
+ul.causes{columns:2;column-gap:28px}
+ul.causes li{margin:2px 0}
+p.note{max-width:120ch}
+footer{margin-top:18px}
 .scroll{overflow:visible}}
 )css";
 

@@ -53,6 +53,9 @@ std::string closure_text(const TurnReport& report) {
     const auto one = [](const Closure& c) {
         return fmt::format("{:.3f} deg, {:.3f} mm", deg_from_rad(c.angle_rad), c.shift_m * kMmPerM);
     };
+    if (!closed_jointly(report)) {
+        return fmt::format("closure      {} from step to step\n", one(*report.closure_before));
+    }
     return fmt::format("closure      {} from step to step; {} after the joint solution\n",
                        one(*report.closure_before), one(*report.closure_after));
 }
@@ -107,6 +110,12 @@ std::string table1_text(const TurnReport& report, const Table1& table) {
     }
     text += "\n" + closure_text(report) + axis_text(report) + bad_steps_text(report);
     return text + fmt::format("verdict      {}\n", summary_sentence(report));
+}
+
+bool closed_jointly(const TurnReport& report) {
+    if (!report.closure_before || !report.closure_after) return false;
+    return report.closure_before->angle_rad != report.closure_after->angle_rad ||
+           report.closure_before->shift_m != report.closure_after->shift_m;
 }
 
 std::string summary_sentence(const TurnReport& report) {

@@ -87,5 +87,32 @@ TEST(ErrorPlot, NamesWhatLiesBeyondTheScale) {
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
+/// Neighbours beyond the scale write their values in different rows, far ones in the same.
+TEST(ErrorPlot, KeepsNeighbouringValuesApart) {
+    TurnReport report = test::sample_report();
+    const TurnStep step = report.steps[0];
+    report.steps.assign(36, step);
+    for (const std::size_t i : {3u, 4u, 20u}) report.steps[i].error_rad = rad_from_deg(-14.3);
+    const std::string svg = error_plot_svg(report);
+    const std::regex value("class=\"value\" x=\"[0-9.]+\" y=\"([0-9.]+)\"");
+    std::vector<double> rows;
+    for (std::sregex_iterator it(svg.begin(), svg.end(), value), end; it != end; ++it) {
+        rows.push_back(std::stod((*it)[1]));
+    }
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_GE(std::abs(rows[0] - rows[1]), 12.0) << "the height of the text";
+    EXPECT_EQ(rows[0], rows[2]);
+}
+
+TEST(HtmlPage, TellsOnlyOfWhatWasComputed) {
+    TurnReport report = test::sample_report();
+    EXPECT_THAT(page_of(report), HasSubstr("Closure, joint solution"));
+    EXPECT_THAT(page_of(report), HasSubstr("Dark band"));
+    report.closure_after = report.closure_before;
+    for (auto& step : report.steps) step.sigma_rad.reset();
+    EXPECT_THAT(page_of(report), Not(HasSubstr("Closure, joint solution")));
+    EXPECT_THAT(page_of(report), Not(HasSubstr("Dark band")));
+}
+
 }  // namespace
 }  // namespace gripscan
