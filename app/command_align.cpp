@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/number_checks.h"
 #include "app/progress_bar.h"
 #include "app/threads.h"
 #include "app/turn_options.h"
@@ -109,9 +110,12 @@ void add_align(const CommandLine& line) {
     command
         ->add_option("--rotation-deg", options->rotation_deg,
                      "What the rotation angle should be; only compared with, never used")
+        ->check(finite_number())
         ->check(CLI::Range(-180.0, 180.0))
         ->option_text("A");
-    command->add_option("--seed", options->seed, "Of the perturbed starts (1)")->option_text("N");
+    command->add_option("--seed", options->seed, "Of the perturbed starts (1)")
+        ->check(unsigned_number())
+        ->option_text("N");
     add_method_options(*command, options->method, options->icp);
     add_common_options(*command, line.common);
     command->footer("Example:\n  gripscan align scan0.pcd scan1.pcd --rotation-deg 10 --json");

@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/number_checks.h"
 #include "app/progress_bar.h"
 #include "app/threads.h"
 #include "app/turn_work.h"
@@ -139,8 +140,7 @@ Result<ExitStatus> calibrate_command(const CalibrateOptions& options, const Cont
 
 void add_calibrate(const CommandLine& line) {
     auto options = std::make_shared<CalibrateOptions>();
-    CLI::App* calibrate = line.app.add_subcommand("calibrate", "Calibrate what measures");
-    calibrate->require_subcommand(1);
+    CLI::App* calibrate = line.app.add_subcommand("calibrate", "Calibrate the stereo camera");
     CLI::App* command = calibrate->add_subcommand("stereo", "A stereo rig from images of a board");
     command->add_option("--left", options->left, "Images of the left camera, sorted by name")
         ->required()
@@ -152,14 +152,18 @@ void add_calibrate(const CommandLine& line) {
         ->option_text("CxR");
     command->add_option("--charuco", options->charuco, "ChArUco board by its squares")
         ->option_text("SXxSY");
-    command->add_option("--square-mm", options->square_mm, "Side of a square")
+    command->add_option("--square-mm", options->square_mm, "Side of a square, mm")
         ->required()
+        ->check(finite_number())
         ->check(CLI::PositiveNumber)
         ->option_text("S");
-    command->add_option("--marker-mm", options->marker_mm, "Side of a ChArUco marker")
+    command->add_option("--marker-mm", options->marker_mm, "Side of a ChArUco marker, mm")
+        ->check(finite_number())
         ->check(CLI::PositiveNumber)
         ->option_text("M");
-    command->add_option("--dict", options->dictionary, "Dictionary of the markers, DICT_5X5_100")
+    command
+        ->add_option("--dict", options->dictionary,
+                     "Dictionary of the markers, such as DICT_5X5_100")
         ->option_text("NAME");
     command->add_option("--out", options->out, "Rig to write")->required()->option_text("RIG.yaml");
     command->add_flag("--force", options->force, "Write a rig that is over its limit");
@@ -170,6 +174,7 @@ void add_calibrate(const CommandLine& line) {
     command->callback([options, &action = line.action] {
         action = [options](const Context& context) { return calibrate_command(*options, context); };
     });
+    need_subcommand(*calibrate);
 }
 
 }  // namespace gripscan::app

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/number_checks.h"
 #include "app/progress_bar.h"
 #include "app/turn_work.h"
 #include "core/base/number_text.h"
@@ -120,7 +121,6 @@ std::string gripper_names() {
 void add_run(const CommandLine& line) {
     auto options = std::make_shared<RunOptions>();
     CLI::App* run = line.app.add_subcommand("run", "The procedure without a window");
-    run->require_subcommand(1);
     CLI::App* command = run->add_subcommand("gripper", "Register the bare gripper by a whole turn");
     command->add_option("--cell", options->cell, "Cell file, or sim: the simulated cell (sim)")
         ->option_text("FILE|sim");
@@ -128,9 +128,12 @@ void add_run(const CommandLine& line) {
         ->required()
         ->option_text("DIR");
     command->add_option("--step-deg", options->step_deg, "Step of joint 6 (10)")
+        ->check(finite_number())
         ->check(CLI::Range(0.5, 120.0))
         ->option_text("DEG");
-    command->add_option("--seed", options->seed, "Of the simulated cell (1)")->option_text("N");
+    command->add_option("--seed", options->seed, "Of the simulated cell (1)")
+        ->check(unsigned_number())
+        ->option_text("N");
     command->add_option("--gripper-model", options->gripper_model, "Simulated gripper")
         ->check(CLI::IsMember(sim_grippers()))
         ->option_text(gripper_names());
@@ -142,6 +145,7 @@ void add_run(const CommandLine& line) {
     command->callback([options, &action = line.action] {
         action = [options](const Context& context) { return run_gripper(*options, context); };
     });
+    need_subcommand(*run);
 }
 
 }  // namespace gripscan::app

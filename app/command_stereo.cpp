@@ -74,6 +74,13 @@ Result<ExitStatus> stereo(const StereoOptions& options, const Context& context) 
             cloud, made->cloud.size(), 100.0 * health.fill, health.mean_intensity,
             100.0 * health.saturated, health.texture, health.row_error_px));
     }
+    if (made->cloud.empty()) {
+        say(context,
+            "no point was found: are left and right exchanged, is the rig another one, or the "
+            "range "
+            "of disparities too small?");
+        return kNotTrusted;
+    }
     return kDone;
 }
 

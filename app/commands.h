@@ -23,6 +23,9 @@ void add_calibrate(const CommandLine& line);
 void add_export(const CommandLine& line);
 void add_report(const CommandLine& line);
 
+/// For a command that only groups others, once those are added: without one it names them.
+void need_subcommand(CLI::App& group);
+
 /// --json, --quiet, --threads and --version, which every subcommand takes.
 void add_common_options(CLI::App& command, CommonOptions& common);
 

@@ -11,6 +11,10 @@ void print_result(std::string_view text) {
     std::fflush(stdout);
 }
 
+bool results_printed() {
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
 void say(const Context& context, std::string_view text) {
     if (!context.options.quiet) fmt::print(stderr, "gripscan: {}\n", text);
 }

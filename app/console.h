@@ -9,6 +9,8 @@ namespace gripscan::app {
 
 /// The one JSON document of `--json`, or the text of a result.
 void print_result(std::string_view text);
+/// Did everything reach standard output so far? Its disk may be full.
+[[nodiscard]] bool results_printed();
 /// A remark for people; silent with --quiet.
 void say(const Context& context, std::string_view text);
 /// Reports the error and returns the exit status of its kind.

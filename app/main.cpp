@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/help_formatter.h"
 #include "app/interrupt.h"
 
 namespace gripscan::app {
@@ -30,7 +31,12 @@ int run(const CLI::App& app, const Action& action, const CommonOptions& common) 
     cv::setNumThreads(1);
     try {
         const auto status = action(Context{common, interrupt.token()});
-        return status ? *status : report_error(status.error());
+        if (!status) return report_error(status.error());
+        if (!results_printed()) {
+            return report_error(
+                input_error("the result could not be written to standard output").value());
+        }
+        return *status;
     } catch (const std::bad_alloc&) {
         return report_error(input_error("not enough memory").value());
     } catch (const std::exception& e) {
@@ -43,6 +49,7 @@ int parse_and_run(int argc, char** argv) {
                  "gripscan");
     app.set_version_flag("--version", "gripscan " GRIPSCAN_VERSION);
     app.require_subcommand(0, 1);
+    app.formatter(std::make_shared<HelpFormatter>());
     app.footer(kFooter);
     CommonOptions common;
     Action action;

@@ -1,10 +1,26 @@
 #include "app/turn_options.h"
 
+#include <fmt/format.h>
+
 #include <map>
 
+#include "app/number_checks.h"
 #include "core/base/units.h"
 
 namespace gripscan::app {
+namespace {
+
+/// Replaces a method's name by its number, as CLI11 reads enums; else says what is known.
+std::string method_number(std::string& text) {
+    static const std::map<std::string, TurnMethod> kMethods{{"turn", TurnMethod::kTurn},
+                                                            {"paper-icp", TurnMethod::kPaperIcp}};
+    const auto found = kMethods.find(text);
+    if (found == kMethods.end()) return fmt::format("'{}' is neither turn nor paper-icp", text);
+    text = std::to_string(static_cast<int>(found->second));
+    return {};
+}
+
+}  // namespace
 
 PaperIcpSettings PaperIcpOptions::settings() const {
     PaperIcpSettings settings;
@@ -21,21 +37,24 @@ void TurnOptions::apply_to(ComputeTurnSettings& settings) const {
 }
 
 void add_method_options(CLI::App& command, TurnMethod& method, PaperIcpOptions& icp) {
-    static const std::map<std::string, TurnMethod> kMethods{{"turn", TurnMethod::kTurn},
-                                                            {"paper-icp", TurnMethod::kPaperIcp}};
     command
         .add_option("--method", method,
                     "turn: ours; paper-icp: point-to-point ICP from the identity, as published")
-        ->transform(CLI::CheckedTransformer(kMethods))
+        ->transform(CLI::Validator(method_number, ""))
         ->option_text("turn|paper-icp");
     command
         .add_option("--icp-max-correspondence-mm", icp.max_correspondence_mm,
                     "paper-icp: pairs further apart are left out (50)")
-        ->check(CLI::PositiveNumber);
+        ->check(finite_number())
+        ->check(CLI::PositiveNumber)
+        ->option_text("MM");
     command.add_option("--icp-iterations", icp.iterations, "paper-icp: iterations at most (10)")
-        ->check(CLI::Range(1, 100000));
+        ->check(CLI::Range(1, 100000))
+        ->option_text("N");
     command.add_option("--icp-voxel-mm", icp.voxel_mm, "paper-icp: thinning before (0: none)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(finite_number())
+        ->check(CLI::NonNegativeNumber)
+        ->option_text("MM");
 }
 
 void add_turn_options(CLI::App& command, TurnOptions& options) {
