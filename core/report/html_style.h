@@ -65,13 +65,12 @@ padding-top:12px}
 @page{size:A4 landscape;margin:12mm}
 body{font-size:11px;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 main{max-width:none;padding:0}
-table{font-size:9px}td,th{padding:1.5px 4px}
+table{font-size:9px;line-height:1.3}td,th{padding:1.5px 4px}
 h1{font-size:20px}
 dd{font-size:15px}
 dd small,dt,.kicker,.legend,p.note,footer{font-size:10.5px}
 h2{margin:18px 0 6px;break-after:avoid}
 section,li,p.note,tr,svg,dl.figures div{break-inside:avoid}
-ul.causes{columns:2;column-gap:28px}
 ul.causes li{margin:2px 0}
 p.note{max-width:120ch}
 footer{margin-top:18px}

@@ -60,6 +60,14 @@ Status check_writable(const fs::path& out) {
 Status check_results_target(const fs::path& session, const fs::path& out_given) {
     const fs::path out = plain_path(out_given);
     std::error_code code;
+    if (fs::is_symlink(out, code)) {
+        return input_error("cannot write results to {}: the link leads nowhere", out.string());
+    }
+    if (out == plain_path(".")) {
+        return input_error(
+            "results replace a folder as a whole, so not the current one, {}; name a folder in it",
+            out.string());
+    }
     if (is_within(plain_path(session), out)) {
         return input_error("results cannot replace {}: it holds the session {}", out.string(),
                            session.string());
@@ -90,7 +98,8 @@ Status write_results(const fs::path& out, const TurnReport& report, const Proven
     if (!sidecar) return forward_error(sidecar.error());
     const std::size_t points = report.merged.size();
     const ReportFiles files = report_files(report, points, from.session, from.version);
-    return replace_folder_atomically(out, [&](const fs::path& fresh) -> Status {
+    // A link keeps leading to its folder; it is the folder that is replaced.
+    return replace_folder_atomically(plain_path(out), [&](const fs::path& fresh) -> Status {
         if (Status s = save_cloud(fresh / "template.pcd", report.merged); !s) return s;
         if (Status s = write_file_atomically(fresh / "template.json", *sidecar); !s) return s;
         if (Status s = write_file_atomically(fresh / "turns.csv", files.csv); !s) return s;
