@@ -1,0 +1,15 @@
+// Checks of numbers on the command line beyond their range: "nan" is in every range to CLI11, and
+// "-1" becomes a huge whole number. They come before the range.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace gripscan::app {
+
+/// A finite decimal number.
+[[nodiscard]] CLI::Validator finite_number();
+/// A whole number without a sign.
+[[nodiscard]] CLI::Validator unsigned_number();
+
+}  // namespace gripscan::app
