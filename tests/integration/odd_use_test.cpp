@@ -65,6 +65,26 @@ TEST_F(OddUse, LinkKeepsLeadingToItsFolder) {
     EXPECT_THAT(result.err, HasSubstr("leads nowhere"));
 }
 
+TEST_F(OddUse, ResultsOfOtherCapturesAreNotPassedOn) {
+    ASSERT_EQ(run_program({"replay", session_.string()}).status, 0);
+    const std::string out = (folder_ / "part.ply").string();
+    EXPECT_EQ(run_program({"export", session_.string(), "--out", out}).status, 0);
+    fs::remove(out);
+    std::string table = read_text(session_ / "captures.csv");
+    table.insert(table.find('\n'), ",status");
+    for (const std::string row : {"000.pcd", "002.pcd"}) table.insert(table.find(row) + 7, ",used");
+    table.insert(table.find("001.pcd") + 7, ",excluded");
+    write_text(session_ / "captures.csv", table);
+    for (const std::string command : {"export", "report"}) {
+        const auto result = run_program({command, session_.string(), "--out", out});
+        EXPECT_EQ(result.status, 2) << command;
+        EXPECT_THAT(result.err, HasSubstr("gripscan replay"));
+    }
+    EXPECT_FALSE(fs::exists(out));
+    EXPECT_EQ(run_program({"replay", session_.string()}).status, 0);
+    EXPECT_EQ(run_program({"export", session_.string(), "--out", out}).status, 0);
+}
+
 TEST_F(OddUse, NumbersThatAreNone) {
     const std::string cloud = (session_ / "clouds/000.pcd").string();
     const auto refused = [](Arguments arguments, const std::string& option,
