@@ -33,6 +33,7 @@ Result<Alignment> align_clouds(const AlignOptions& options, const Context& conte
         return align_paper_icp(*source, *target, options.icp.settings());
     }
     AlignSettings settings;
+    settings.all_rotations = true;
     settings.seed = options.seed;
     WorkerPool pool(thread_count(context));
     ProgressBar bar(context);

@@ -24,14 +24,7 @@ struct CloudMaker {
     const Progress& progress;
 
     Result<CapturedCloud> operator()(const RecordedCapture& capture) const {
-        auto made = capture.load_images ? from_images(capture) : from_cloud(capture);
-        if (made && made->cloud.empty()) {
-            return input_error(
-                "capture {} has no points in the registration area; check region, "
-                "light and the camera's range",
-                capture.index);
-        }
-        return made;
+        return capture.load_images ? from_images(capture) : from_cloud(capture);
     }
 
     Result<CapturedCloud> from_images(const RecordedCapture& capture) const {
@@ -97,6 +90,13 @@ Result<std::vector<CapturedCloud>> make_clouds(const CloudMaker& make,
     }
     std::vector<CapturedCloud> clouds;
     for (auto& one : made) clouds.push_back(std::move(*one));
+    // One view without points costs its steps; a recording without any is not the one meant.
+    if (std::all_of(clouds.begin(), clouds.end(),
+                    [](const CapturedCloud& c) { return c.cloud.empty(); })) {
+        return input_error(
+            "no capture has points in the registration area; check region, light and the camera's "
+            "range");
+    }
     return clouds;
 }
 

@@ -18,6 +18,9 @@ struct AlignSettings {
     /// one of them.
     double start_cone_rad = 0.7;
     int starts = 12;
+    /// Look at all rotations too even if a start in the cone convinces: for clouds that may have
+    /// been turned by any angle.
+    bool all_rotations = false;
     std::size_t coarse_points = 700;  ///< points of a start
     std::size_t fine_points = 12000;  ///< points of the final estimate
     TurnLimits limits;

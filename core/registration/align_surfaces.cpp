@@ -132,7 +132,11 @@ void judge_alone(Alignment& a, const AlignSettings& settings) {
         a.cause = Cause::kNotConverged;
         a.sentence = fmt::format("no pose fits: only {:.0f} % of the points find a partner",
                                  100.0 * a.overlap);
-    } else if (a.observability < kLeastObservability) {
+    } else if (!(a.sigma_angle_rad < kLargestSigma_rad)) {
+        a.verdict = Verdict::kReject;
+        a.cause = Cause::kNotConverged;
+        a.sentence = fmt::format("the turn is known to {:.1f} deg only", sigma_deg);
+    } else if (!(a.observability >= kLeastObservability)) {
         a.verdict = Verdict::kReject;
         a.cause = Cause::kSymmetry;
         a.sentence = fmt::format(
@@ -224,7 +228,7 @@ Result<Alignment> align_surfaces(const Surface& source, const Surface& target,
                                target_map ? &*target_map : nullptr};
     auto candidates = search(source, target, maps[0], maps[1], settings, settings.start_cone_rad,
                              settings.starts, for_each);
-    if (candidates.front().agreement.matched < 2.0 * kLeastMatched) {
+    if (settings.all_rotations || candidates.front().agreement.matched < 2.0 * kLeastMatched) {
         auto wide = search(source, target, maps[0], maps[1], settings, std::numbers::pi,
                            kWideStarts, for_each);
         if (wide.front().agreement.score > candidates.front().agreement.score + kRivalMargin) {

@@ -121,7 +121,7 @@ double turn_observability(const Surface& source, const Surface& target,
         others.eigenvectors().transpose() * A.block<5, 1>(1, 0);
     const double rest =
         A(0, 0) - (cross.array().square() / others.eigenvalues().array().max(floor)).sum();
-    return std::sqrt(std::clamp(rest, 0.0, 1.0));
+    return std::isfinite(rest) ? std::sqrt(std::clamp(rest, 0.0, 1.0)) : 0.0;
 }
 
 }  // namespace gripscan

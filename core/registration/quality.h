@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/geometry/pose.h"
 #include "core/registration/residual_row.h"
 
@@ -25,6 +26,8 @@ struct ResidualStatistics {
 /// Standard deviation of the rotation about the unit vector `axis`, rad.
 [[nodiscard]] double sigma_about(const Matrix6d& covariance, const Eigen::Vector3d& axis);
 
+/// An angle known no better than this decides nothing: three of it exceed any limit in use.
+inline constexpr double kLargestSigma_rad = 2.0 * kRadPerDeg;
 /// A turn whose surface resists with less than this share cannot be told from no turn.
 inline constexpr double kLeastObservability = 0.08;
 

@@ -23,6 +23,7 @@ struct Turn {
     const Progress& progress;
     const ForEach& for_each;
     std::vector<Surface> surfaces;
+    std::vector<std::string> flaws;     ///< why a view has no surface; empty: it has one
     std::vector<Alignment> alignments;  ///< of view i onto view i + 1
 };
 
@@ -32,17 +33,37 @@ Status prepare_surfaces(Turn& turn) {
     for (std::size_t k = 0; k < turn.views.size(); ++k) made.emplace_back(cancelled_error());
     turn.for_each(turn.views.size(),
                   [&](std::size_t k) { made[k] = make_surface(turn.views[k].cloud); });
+    std::size_t usable = 0;
     for (std::size_t k = 0; k < made.size(); ++k) {
-        if (!made[k]) {
-            return input_error("capture {}: {}", turn.views[k].index, made[k].error().message);
-        }
-        turn.surfaces.push_back(std::move(*made[k]));
+        turn.flaws.push_back(made[k] ? "" : made[k].error().message);
+        turn.surfaces.push_back(made[k] ? std::move(*made[k]) : Surface{});
+        if (turn.flaws[k].empty()) ++usable;
+    }
+    if (usable < 2) {
+        return input_error("{} of {} captures have enough points; capture {}: {}", usable,
+                           made.size(), turn.views.front().index,
+                           turn.flaws.front().empty() ? turn.flaws.back() : turn.flaws.front());
     }
     return {};
 }
 
+/// Views that are too poor to register are no error of the recording: the steps they take part in
+/// are rejected.
+std::optional<Alignment> without_alignment(const Turn& turn, std::size_t from, std::size_t to) {
+    for (const std::size_t k : {from, to}) {
+        if (turn.flaws[k].empty()) continue;
+        Alignment none;
+        none.cause = Cause::kTexture;
+        none.sentence = fmt::format("capture {}: {}; no texture, no light, or nothing there",
+                                    turn.views[k].index, turn.flaws[k]);
+        return none;
+    }
+    return std::nullopt;
+}
+
 Result<Alignment> align_views(const Turn& turn, std::size_t from, std::size_t to,
                               const ForEach& inner) {
+    if (auto none = without_alignment(turn, from, to)) return std::move(*none);
     if (turn.settings.method == TurnMethod::kPaperIcp) {
         return align_paper_icp(turn.views[from].cloud, turn.views[to].cloud,
                                turn.settings.paper_icp);
@@ -69,11 +90,14 @@ Status align_steps(Turn& turn) {
 
 /// Middle of what all views show: the part turns in place.
 Eigen::Vector3d centre_of(const std::vector<Surface>& surfaces) {
-    Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
+    Eigen::Vector3d sum_m = Eigen::Vector3d::Zero();
+    double count = 0.0;
     for (const Surface& s : surfaces) {
-        centre_m += s.centre_m / static_cast<double>(surfaces.size());
+        if (s.size() == 0) continue;
+        sum_m += s.centre_m;
+        count += 1.0;
     }
-    return centre_m;
+    return sum_m / count;
 }
 
 /// Table 1, judged; the operator's notes overrule.
@@ -162,6 +186,7 @@ Result<TurnReport> solve_turn(std::span<const TurnView> views, const TurnSetting
               .progress = progress,
               .for_each = for_each,
               .surfaces = {},
+              .flaws = {},
               .alignments = {}};
     if (Status s = prepare_surfaces(turn); !s) return forward_error(std::move(s.error()));
     if (Status s = align_steps(turn); !s) return forward_error(std::move(s.error()));

@@ -35,8 +35,8 @@ struct TurnSettings {
     int min_seen = 2;                          ///< views that must have seen a template point
 };
 
-/// `report.poses` has one entry per view, in order. Errors: fewer than two views, a view without
-/// points (named by its index), or cancelled. Bad steps are rows of the report, not errors.
+/// `report.poses` has one entry per view, in order. Errors: fewer than two views, fewer than two
+/// with enough points to register, or cancelled. Bad steps and poor views are rows of the report.
 [[nodiscard]] Result<TurnReport> solve_turn(std::span<const TurnView> views,
                                             const TurnSettings& settings, const Progress& progress,
                                             const ForEach& for_each);

@@ -1,5 +1,6 @@
 #include "core/registration/surface.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -10,6 +11,8 @@ namespace gripscan {
 namespace {
 
 constexpr std::size_t kFewestPoints = 100;
+/// Squared width over length below which a cloud is a line.
+constexpr double kThinnest = 1e-6;
 
 /// Median distance to the nearest other point, from some hundred points.
 double typical_spacing_m(const KdTree& tree, const std::vector<Eigen::Vector3f>& points) {
@@ -72,6 +75,20 @@ std::vector<std::uint8_t> rim_of_points(const Surface& surface) {
     return rim;
 }
 
+/// Points on one line (or in one spot) are no surface.
+bool spans_a_surface(const Cloud& cloud) {
+    const Eigen::Vector3d centre = centroid(cloud);
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const auto& p : cloud.points) {
+        const Eigen::Vector3d d = p.cast<double>() - centre;
+        spread += d * d.transpose();
+    }
+    const Eigen::Vector3d sizes =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    return sizes(1) > kThinnest * sizes(2);
+}
+
 }  // namespace
 
 Result<Surface> make_surface(const Cloud& given) {
@@ -79,6 +96,7 @@ Result<Surface> make_surface(const Cloud& given) {
         return input_error("only {} points; registration wants at least {}", given.size(),
                            kFewestPoints);
     }
+    if (!spans_a_surface(given)) return input_error("all points lie on one line");
     Cloud computed;
     const Cloud* cloud = &given;
     if (!given.has_normals()) {

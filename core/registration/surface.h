@@ -20,7 +20,7 @@ struct Surface {
     std::vector<Eigen::Vector3f> rays;     ///< unit viewing directions; empty if unknown
     std::vector<float> sigma_m;            ///< along the ray (along the normal without rays)
     std::vector<std::uint8_t> rim;         ///< 1: next to a silhouette or a hole
-    KdTree tree;
+    KdTree tree{std::span<const Eigen::Vector3f>{}};
     std::optional<Eigen::Vector3f> viewpoint;
     std::optional<TextureGrid> texture;  ///< where the cloud has an image grid and brightness
     Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();

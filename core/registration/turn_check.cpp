@@ -8,12 +8,15 @@
 #include <string>
 
 #include "core/base/units.h"
+#include "core/registration/quality.h"
 
 namespace gripscan {
 namespace {
 
 /// Readings of a joint that stands still differ by less than this (encoder, rounding).
 constexpr double kJointStill_rad = 0.02 * kRadPerDeg;
+/// Scans that turned by less than this share of the reported angle show something that stands.
+constexpr double kStoodStill = 0.05;
 /// A limit may be missed by this factor before "check" becomes "reject".
 constexpr double kCheckFactor = 2.0;
 /// A ratio of angles this near 1 may be estimated and is no fault (contract).
@@ -31,14 +34,20 @@ Criterion angle_criterion(const TurnStep& step, const StepEvidence& evidence,
     if (!step.error_rad) return {};
     const double sigma = step.sigma_rad.value_or(0.0);
     const double limit = std::max(limits.angle_rad, limits.sigmas * sigma);
+    const double reported_rad = *step.icp_rad - *step.error_rad;
+    const bool stood_still = std::abs(*step.icp_rad) < kStoodStill * std::abs(reported_rad);
     // Our estimate from many starts is not that wrong by itself: the capture is not what its label
     // says. Plain ICP from one start has more likely stopped somewhere.
     const Cause cause = evidence.paper_icp ? Cause::kNotConverged : Cause::kMislabelled;
-    return {std::abs(*step.error_rad) / limit, cause,
-            fmt::format("scans turned by {:.3f} deg, robot by {:.3f} deg: error {:+.3f} deg, limit "
-                        "{:.3f} deg",
-                        deg_from_rad(*step.icp_rad), deg_from_rad(*step.icp_rad - *step.error_rad),
-                        deg_from_rad(*step.error_rad), deg_from_rad(limit))};
+    return {
+        std::abs(*step.error_rad) / limit, cause,
+        fmt::format("scans turned by {:.3f} deg, robot by {:.3f} deg: error {:+.3f} deg, limit "
+                    "{:.3f} deg{}",
+                    deg_from_rad(*step.icp_rad), deg_from_rad(reported_rad),
+                    deg_from_rad(*step.error_rad), deg_from_rad(limit),
+                    stood_still ? "; nothing turned: is there a still background in the clouds? "
+                                  "A region keeps it out"
+                                : "")};
 }
 
 Criterion overlap_criterion(const TurnStep& step, const TurnLimits& limits) {
@@ -72,10 +81,17 @@ bool reject(TurnStep& step, Cause cause, std::string sentence) {
 /// What makes the estimate worthless whatever its numbers say.
 bool not_usable(TurnStep& step, const StepEvidence& evidence) {
     if (!evidence.found) {
-        return reject(step, Cause::kNotConverged, "no alignment of the two clouds was found");
+        return reject(step, evidence.cause_not_found,
+                      evidence.why_not_found.empty() ? "no alignment of the two clouds was found"
+                                                     : evidence.why_not_found);
     }
     if (evidence.paper_icp) return false;
-    if (step.observability && *step.observability < evidence.least_observability) {
+    if (step.sigma_rad && !(*step.sigma_rad < kLargestSigma_rad)) {
+        return reject(step, Cause::kNotConverged,
+                      fmt::format("the turn is known to {:.1f} deg only, which decides nothing",
+                                  deg_from_rad(*step.sigma_rad)));
+    }
+    if (step.observability && !(*step.observability >= evidence.least_observability)) {
         return reject(step, Cause::kSymmetry,
                       fmt::format("the surface does not show this turn (observability {:.2f}, "
                                   "least {:.2f}): it looks the same all around the axis",
@@ -165,7 +181,8 @@ void find_common_cause(std::span<TurnStep> steps, const TurnLimits& limits,
         }
         return;
     }
-    const bool by_steps = std::abs(ratio - 1.0) > 0.05 && explained_by(ratio);
+    const bool by_steps =
+        ratio > kStoodStill && std::abs(ratio - 1.0) > 0.05 && explained_by(ratio);
     const bool by_joint = scale && std::abs(*scale - 1.0) > kHarmlessRatio;
     if (!by_steps && !by_joint) return;
     const double shown = by_joint ? *scale : ratio;

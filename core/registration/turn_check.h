@@ -11,6 +11,8 @@ namespace gripscan {
 /// What is known about a step beside its row.
 struct StepEvidence {
     bool found = false;
+    Cause cause_not_found = Cause::kNotConverged;
+    std::string why_not_found;  ///< empty: nothing more is known
     bool starts_agree = true;
     double least_observability = 0.0;
     std::optional<double> expected_rad;   ///< robot, else commanded

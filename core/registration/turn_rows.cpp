@@ -10,6 +10,9 @@
 namespace gripscan {
 namespace {
 
+/// Cosine between hint and axis from which on the hint decides.
+constexpr double kLeastHint = 0.2;
+
 double largest_change_rad(const std::optional<std::array<double, 5>>& a,
                           const std::optional<std::array<double, 5>>& b) {
     double change = 0.0;
@@ -50,7 +53,7 @@ TurnStep step_row(const TurnView& from, const TurnView& to, const Alignment& ali
     step.attempts = to.attempts;
     step.commanded_rad = difference(from.commanded_rad, to.commanded_rad);
     step.robot_rad = difference(joint6_rad(from), joint6_rad(to));
-    if (!alignment.found) return step;
+    if (!alignment.found || alignment.cause == Cause::kNotConverged) return step;
     step.T = alignment.T_target_source;
     step.icp_rad = alignment.angle_rad;
     step.overlap = alignment.overlap;
@@ -76,9 +79,15 @@ StepsAxis axis_from_steps(std::span<const TurnStep> steps,
     if (axis_hint) axis.sign_source = SignSource::kAxisHint;
     if (!axis.estimate) return axis;
     Eigen::Vector3d& direction = axis.estimate->axis.direction;
-    double agreement = axis_hint ? direction.dot(*axis_hint) : 0.0;
+    double agreement = axis_hint ? direction.dot(axis_hint->normalized()) : 0.0;
+    // A hint across the axis says nothing about its sign.
+    const bool hinted = std::abs(agreement) > kLeastHint;
+    if (!hinted) {
+        agreement = 0.0;
+        axis.sign_source = SignSource::kAssumed;
+    }
     for (const TurnStep& step : steps) {
-        if (axis_hint || !step.T || !reported_rad(step)) continue;
+        if (hinted || !step.T || !reported_rad(step)) continue;
         if (step.robot_rad) axis.sign_source = SignSource::kJoint;
         agreement += deviation_from(axis.estimate->axis, *step.T).angle_rad * *reported_rad(step);
     }
@@ -98,6 +107,10 @@ void judge_row(TurnStep& step, const TurnView& from, const TurnView& to, const A
     if (step.icp_rad && reported_rad(step)) step.error_rad = *step.icp_rad - *reported_rad(step);
     StepEvidence evidence;
     evidence.found = alignment.found && alignment.cause != Cause::kNotConverged;
+    if (!evidence.found) {
+        evidence.why_not_found = alignment.sentence;
+        if (alignment.cause != Cause::kNone) evidence.cause_not_found = alignment.cause;
+    }
     evidence.starts_agree = alignment.starts_agree;
     evidence.least_observability = kLeastObservability;
     evidence.expected_rad = reported_rad(step);

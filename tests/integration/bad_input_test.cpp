@@ -138,7 +138,7 @@ TEST_F(BadInput, EmptyRegion) {
 TEST_F(BadInput, RegionWithoutAPoint) {
     replace_in_file(session_ / "session.yaml", "min: [-0.06, -0.08, 0.5], max: [0.08, 0.08, 0.7]",
                     "min: [1, 1, 1], max: [2, 2, 2]");
-    expect_refused({"capture 0", "no points"});
+    expect_refused({"no capture has points", "region"});
 }
 
 TEST_F(BadInput, UnknownFormatAndUnknownKey) {

@@ -124,10 +124,28 @@ TEST(FaultyTurn, OperatorsNoteOverrules) {
     EXPECT_TRUE(all_trusted(report));
 }
 
-TEST(FaultyTurn, UnusableInputIsAnErrorThatNamesTheCapture) {
+TEST(FaultyTurn, AViewWithoutPointsCostsItsStepsAlone) {
+    TurnCase turn = make_turn({.seed = 4, .captures = 5});
+    turn.views[2].cloud = Cloud{};
+    const TurnReport report = solved(turn.views);
+    ASSERT_EQ(report.steps.size(), 4u);
+    for (const std::size_t i : {1u, 2u}) {
+        EXPECT_EQ(report.steps[i].verdict, Verdict::kReject);
+        EXPECT_EQ(word(report.steps[i].cause), "texture");
+        EXPECT_FALSE(report.steps[i].icp_rad);
+        EXPECT_THAT(report.steps[i].sentence,
+                    testing::HasSubstr(fmt::format("capture {}", turn.views[2].index)));
+    }
+    EXPECT_EQ(report.steps[0].verdict, Verdict::kAccept) << report.steps[0].sentence;
+    EXPECT_EQ(report.steps[3].verdict, Verdict::kAccept) << report.steps[3].sentence;
+    EXPECT_FALSE(report.poses[2]);
+    EXPECT_TRUE(report.poses[4]) << "the views around it are bridged";
+}
+
+TEST(FaultyTurn, UnusableInputIsAnErrorThatNamesACapture) {
     TurnCase turn = make_turn({.seed = 4, .captures = 3});
-    turn.views[1].index = 17;
-    turn.views[1].cloud = Cloud{};
+    turn.views[0].index = 17;
+    turn.views[0].cloud = turn.views[1].cloud = Cloud{};
     const auto empty = solve_turn(turn.views, {}, {}, for_each_in_order);
     ASSERT_FALSE(empty);
     EXPECT_THAT(empty.error().message, testing::HasSubstr("capture 17"));

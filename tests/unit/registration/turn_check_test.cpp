@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(
                  s.observability.reset();
                  set_error_deg(s, 4.0);
              },
-             "reject", "mislabelled", "limit 0.500"}),
+             "reject", "not_converged", "limit 0.500"}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace
