@@ -53,7 +53,6 @@ void judge_rotation(double rotation_rad, Alignment& alignment) {
     evidence.found = true;
     evidence.starts_agree = alignment.starts_agree;
     evidence.paper_icp = true;  // observability was judged with the alignment
-    evidence.expected_rad = std::abs(rotation_rad);
     judge_step(step, evidence, TurnLimits{});
     const bool worse = step.verdict == Verdict::kReject ||
                        (step.verdict == Verdict::kCheck && alignment.verdict != Verdict::kCheck);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "core/cloud/kd_tree.h"
 #include "core/registration/surface.h"
@@ -143,30 +145,42 @@ Smoothed smooth(const Gathered& all, const KdTree& tree, const Seed& seed, float
     return result;
 }
 
-/// Per view: what its camera saw, in its own frame.
-std::vector<std::optional<DepthMap>> depth_maps(std::span<const PosedView> views,
-                                                const ForEach& for_each) {
-    std::vector<std::optional<DepthMap>> maps(views.size());
+/// What the camera of a view saw, in its own frame.
+struct Witness {
+    DepthMap map;
+    Pose T_view_first;
+    Eigen::Vector3f viewpoint;
+};
+
+/// One of every view whose viewpoint is known, in their order.
+std::vector<Witness> witnesses(std::span<const PosedView> views, const ForEach& for_each) {
+    std::vector<std::optional<Witness>> made(views.size());
     for_each(views.size(), [&](std::size_t k) {
-        if (!views[k].cloud->viewpoint) return;
-        if (const auto surface = make_surface(*views[k].cloud)) maps[k].emplace(*surface);
+        const auto& viewpoint = views[k].cloud->viewpoint;
+        if (!viewpoint) return;
+        if (const auto surface = make_surface(*views[k].cloud)) {
+            made[k].emplace(
+                Witness{DepthMap(*surface), views[k].T_first_view.inverse(), *viewpoint});
+        }
     });
-    return maps;
+    std::vector<Witness> known;
+    for (auto& witness : made) {
+        if (witness) known.push_back(std::move(*witness));
+    }
+    return known;
 }
 
 /// Of the views that could have seen the point (it faces them and nothing they saw hides it), the
 /// share that did. Debris at silhouettes is seen by a few views and looked through by the others.
-double confirmed_share(const Smoothed& s, std::span<const PosedView> views,
-                       const std::vector<std::optional<DepthMap>>& maps, float tolerance_m) {
+double confirmed_share(const Smoothed& s, const std::vector<Witness>& views, float tolerance_m) {
     double could_see = 0.0;
-    for (std::size_t k = 0; k < views.size(); ++k) {
-        if (!maps[k]) continue;
-        const Pose T = views[k].T_first_view.inverse();
+    for (const Witness& view : views) {
+        const Pose& T = view.T_view_first;
         const Eigen::Vector3f p = (T * s.point.cast<double>()).cast<float>();
         const Eigen::Vector3f n = (T.linear() * s.normal.cast<double>()).cast<float>();
-        const Eigen::Vector3f ray = (p - *views[k].cloud->viewpoint).normalized();
+        const Eigen::Vector3f ray = (p - view.viewpoint).normalized();
         if (-n.dot(ray) < kFacing) continue;
-        const Sight sight = maps[k]->look(p, tolerance_m);
+        const Sight sight = view.map.look(p, tolerance_m);
         if (sight == Sight::kHidden) continue;
         could_see += sight == Sight::kNothing ? kBlank : 1.0;
     }
@@ -182,7 +196,7 @@ Cloud merge_views(std::span<const PosedView> views, const MergeSettings& setting
     if (all.points.empty()) return merged;
     const std::vector<Seed> rough = seeds(all, settings.voxel_m);
     const KdTree tree(all.points);
-    const auto maps = depth_maps(views, for_each);
+    const std::vector<Witness> seen_by = witnesses(views, for_each);
     const auto radius_m = static_cast<float>(kRadius * settings.voxel_m);
     const auto tolerance_m = static_cast<float>(3.0 * settings.voxel_m);
     std::vector<Smoothed> fine(rough.size());
@@ -193,7 +207,7 @@ Cloud merge_views(std::span<const PosedView> views, const MergeSettings& setting
             if (rough[i].count == 0) continue;
             fine[i] = smooth(all, tree, rough[i], radius_m, found);
             if (fine[i].seen < settings.min_seen ||
-                confirmed_share(fine[i], views, maps, tolerance_m) < kLeastConfirmed) {
+                confirmed_share(fine[i], seen_by, tolerance_m) < kLeastConfirmed) {
                 fine[i].seen = 0;
             }
         }

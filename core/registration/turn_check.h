@@ -15,7 +15,6 @@ struct StepEvidence {
     std::string why_not_found;  ///< empty: nothing more is known
     bool starts_agree = true;
     double least_observability = 0.0;
-    std::optional<double> expected_rad;   ///< robot, else commanded
     double joint6_moved_rad = 0.0;        ///< between the readings before and after an exposure
     double other_joints_moved_rad = 0.0;  ///< largest change of J1 … J5
     bool paper_icp = false;               ///< no uncertainty, no observability

@@ -113,7 +113,6 @@ void judge_row(TurnStep& step, const TurnView& from, const TurnView& to, const A
     }
     evidence.starts_agree = alignment.starts_agree;
     evidence.least_observability = kLeastObservability;
-    evidence.expected_rad = reported_rad(step);
     evidence.joint6_moved_rad =
         std::max(moved_during_exposure_rad(from), moved_during_exposure_rad(to));
     evidence.other_joints_moved_rad =

@@ -31,7 +31,6 @@ StepEvidence good_evidence() {
     StepEvidence evidence;
     evidence.found = true;
     evidence.least_observability = kLeastObservability;
-    evidence.expected_rad = rad_from_deg(10.0);
     return evidence;
 }
 
@@ -152,10 +151,9 @@ INSTANTIATE_TEST_SUITE_P(
              },
              "reject", "mislabelled", ""},
         Case{"NoAngleKnown",
-             [](TurnStep& s, StepEvidence& e) {
+             [](TurnStep& s, StepEvidence&) {
                  s.robot_rad.reset();
                  s.error_rad.reset();
-                 e.expected_rad.reset();
              },
              "accept", "none", "not known"},
         Case{"PaperIcpHasNoSigma",
