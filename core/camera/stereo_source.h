@@ -18,10 +18,11 @@ struct StereoFrame {
 };
 
 /// What the frame is for. A simulated source makes its noise from it, so that asking again for the
-/// same capture and attempt gives the same images.
+/// same capture, attempt and exposure gives the same images.
 struct FrameRequest {
-    int capture = 0;
+    int capture = 0;   ///< index of the capture; negative: a picture that is not kept
     int attempt = 1;
+    int exposure = 0;  ///< 0: the one that is kept; others are only compared with it
 };
 
 class StereoSource {

@@ -30,12 +30,12 @@ Status check_range(const AutoTurnSettings& settings, int steps) {
 }
 
 /// Drives to the angle and makes sure that the robot got there.
-Status go_to(RobotLink& robot, double angle_rad, Journal& journal) {
+Status go_to(RobotLink& robot, double angle_rad, int id, Journal& journal) {
     Status noted =
         journal.write("command", {{"verb", "turn_joint6"}, {"to_deg", deg_text(angle_rad)}});
     if (!noted) return noted;
-    const auto reading = robot.turn_joint6_to(angle_rad);
-    if (!reading) return forward_error(reading.error());
+    const auto reading = robot.turn_joint6({id, angle_rad}, {});
+    if (!reading) return forward_error(as_error(reading.error()));
     if (std::abs(reading->joints_rad[5] - angle_rad) > kArrivedRad) {
         return device_error(
             "joint 6 stands at {:.3f} deg instead of {:.3f} deg; the robot did not "
@@ -50,11 +50,11 @@ Result<TakenCapture> take_capture(RobotLink& robot, StereoSource& source, int in
     TakenCapture capture;
     capture.index = index;
     auto before = robot.read();
-    if (!before) return forward_error(before.error());
+    if (!before) return forward_error(as_error(before.error()));
     auto frame = source.grab({index, 1});
     if (!frame) return forward_error(frame.error());
     auto after = robot.read();
-    if (!after) return forward_error(after.error());
+    if (!after) return forward_error(as_error(after.error()));
     capture.before = *before;
     capture.after = *after;
     capture.frame = std::move(*frame);
@@ -80,7 +80,8 @@ Status take_turn(RobotLink& robot, StereoSource& source, const AutoTurnSettings&
         progress.tell("capture", static_cast<std::size_t>(k), total);
         if (progress.cancelled()) return cancelled_error();
         const double turn_rad = k * settings.step_rad;
-        if (Status s = go_to(robot, settings.start_joint6_rad + turn_rad, journal); !s) return s;
+        const double angle_rad = settings.start_joint6_rad + turn_rad;
+        if (Status s = go_to(robot, angle_rad, k + 1, journal); !s) return s;
         auto capture = take_capture(robot, source, k);
         if (!capture) return forward_error(capture.error());
         capture->commanded_rad = turn_rad;

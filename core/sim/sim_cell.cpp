@@ -93,7 +93,7 @@ Result<SimCell> SimCell::create(const SimCellSettings& settings) {
     auto camera = sim::SimCamera::create(
         impl->layout, impl->model, impl->region,
         {{settings.blur_px, settings.noise_levels}, sim::seed_for(settings.seed, sim::Use::kNoise)},
-        [robot = &impl->robot] { return robot->state().true_rad; }, impl->pool.for_each());
+        [robot = &impl->robot] { return robot->arm().true_rad; }, impl->pool.for_each());
     if (!camera) return forward_error(camera.error());
     impl->camera = std::move(*camera);
     return SimCell(std::move(impl));

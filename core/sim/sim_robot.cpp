@@ -13,17 +13,30 @@ SimRobot::SimRobot(const JointAngles& joints_rad, std::uint64_t seed)
     stand_at(joints_rad[5]);
 }
 
-Result<RobotReading> SimRobot::read() {
+RobotResult<RobotIdentity> SimRobot::connect() {
+    return RobotIdentity{"LRMate200iC/5L", 6, "direct"};
+}
+
+RobotResult<ControllerState> SimRobot::state() {
+    ControllerState state;
+    state.automatic = state.servo_on = true;
+    state.override_percent = 100;
+    return state;
+}
+
+RobotResult<RobotReading> SimRobot::read() {
     return RobotReading{state_.encoder_rad, tool_pose(state_.encoder_rad)};
 }
 
-Result<RobotReading> SimRobot::turn_joint6_to(double angle_rad) {
+RobotResult<RobotReading> SimRobot::turn_joint6(const Joint6Command& command, std::stop_token) {
     JointAngles target = state_.true_rad;
-    target[5] = angle_rad;
+    target[5] = command.angle_rad;
     if (const Status ok = check_joint_ranges(target); !ok) {
-        return device_error("the simulated robot refuses to move: {}", ok.error().message);
+        return tl::unexpected<RobotError>(
+            {RobotFault::kOutOfRange, 300, 0,
+             fmt::format("the simulated robot refuses to move: {}", ok.error().message)});
     }
-    stand_at(angle_rad);
+    stand_at(command.angle_rad);
     return read();
 }
 

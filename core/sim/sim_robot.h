@@ -22,12 +22,18 @@ class SimRobot : public RobotLink {
 
     SimRobot(const JointAngles& joints_rad, std::uint64_t seed);
 
-    [[nodiscard]] Result<RobotReading> read() override;
+    [[nodiscard]] RobotResult<RobotIdentity> connect() override;
+    void disconnect() override {}
+    [[nodiscard]] RobotResult<ControllerState> state() override;
+    [[nodiscard]] RobotResult<RobotReading> read() override;
     /// An angle outside ±360° is an error, and the arm stays where it is. The errors belong to the
     /// angle, not to the number of moves, so that a resumed turn equals an uninterrupted one.
-    [[nodiscard]] Result<RobotReading> turn_joint6_to(double angle_rad) override;
+    [[nodiscard]] RobotResult<RobotReading> turn_joint6(const Joint6Command& command,
+                                                        std::stop_token stop) override;
+    [[nodiscard]] RobotResult<void> stop() override { return {}; }
+    void on_beat(std::function<void(const RobotBeat&)>) override {}
 
-    [[nodiscard]] const ArmState& state() const { return state_; }
+    [[nodiscard]] const ArmState& arm() const { return state_; }
 
   private:
     void stand_at(double angle_rad);

@@ -15,11 +15,19 @@ using testing::HasSubstr;
 /// Goes where it is told, a little beside it; stops short when `stuck_at` is reached.
 class FakeRobot : public RobotLink {
   public:
-    Result<RobotReading> read() override { return reading(); }
-    Result<RobotReading> turn_joint6_to(double angle_rad) override {
-        asked.push_back(angle_rad);
-        if (asked.size() == fails_at) return device_error("the robot's server is gone");
-        if (asked.size() != stuck_at) joint6_ = angle_rad + 1e-4;
+    RobotResult<RobotIdentity> connect() override { return {}; }
+    void disconnect() override {}
+    RobotResult<ControllerState> state() override { return {}; }
+    RobotResult<void> stop() override { return {}; }
+    void on_beat(std::function<void(const RobotBeat&)>) override {}
+    RobotResult<RobotReading> read() override { return reading(); }
+    RobotResult<RobotReading> turn_joint6(const Joint6Command& command, std::stop_token) override {
+        asked.push_back(command.angle_rad);
+        if (asked.size() == fails_at) {
+            return tl::unexpected<RobotError>(
+                {RobotFault::kLost, 0, 0, "the robot's server is gone"});
+        }
+        if (asked.size() != stuck_at) joint6_ = command.angle_rad + 1e-4;
         return reading();
     }
 

@@ -39,7 +39,7 @@ TEST(SimCell, ShowsTheArmAsItStands) {
     EXPECT_EQ(first->left.type(), CV_8U);
     EXPECT_EQ(first->left.size(), cv::Size(1280, 960));
     EXPECT_EQ(first->right.size(), cv::Size(1280, 960));
-    ASSERT_TRUE(cell->robot().turn_joint6_to(cell->start_joint6_rad() + rad_from_deg(10.0)));
+    ASSERT_TRUE(cell->robot().turn_joint6({1, cell->start_joint6_rad() + rad_from_deg(10.0)}, {}));
     const auto second = cell->source().grab({1, 1});
     ASSERT_TRUE(second);
     cv::Mat changed;
@@ -64,7 +64,7 @@ TEST(SimCell, WithoutArmTheRegionIsEmptyAndTheSame) {
     EXPECT_EQ(with->region().min_m, without->region().min_m);
     EXPECT_EQ(with->region().max_m, without->region().max_m);
     const auto first = without->source().grab({0, 1});
-    ASSERT_TRUE(without->robot().turn_joint6_to(1.0));
+    ASSERT_TRUE(without->robot().turn_joint6({1, 1.0}, {}));
     const auto second = without->source().grab({0, 1});
     ASSERT_TRUE(first && second);
     EXPECT_EQ(cv::countNonZero(first->left != second->left), 0);

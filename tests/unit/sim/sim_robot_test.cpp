@@ -17,9 +17,9 @@ TEST(SimRobot, StopsWhereItIsToldUpToItsRepeatability) {
     constexpr int kMoves = 2000;
     for (int i = 0; i < kMoves; ++i) {
         const double target_rad = rad_from_deg(-300.0 + 0.3 * i);
-        const auto reading = robot.turn_joint6_to(target_rad);
+        const auto reading = robot.turn_joint6({1, target_rad}, {});
         ASSERT_TRUE(reading);
-        const ArmState& state = robot.state();
+        const ArmState& state = robot.arm();
         sum2 += std::pow(deg_from_rad(state.true_rad[5] - target_rad), 2);
         encoder2 += std::pow(deg_from_rad(state.encoder_rad[5] - state.true_rad[5]), 2);
         EXPECT_EQ(reading->joints_rad, state.encoder_rad);
@@ -32,20 +32,20 @@ TEST(SimRobot, StopsWhereItIsToldUpToItsRepeatability) {
 
 TEST(SimRobot, ErrorsBelongToTheAngleAndTheSeed) {
     SimRobot robot(kStart, 4);
-    const JointAngles there = robot.turn_joint6_to(1.0)->joints_rad;
-    (void)robot.turn_joint6_to(2.0);
-    EXPECT_EQ(robot.turn_joint6_to(1.0)->joints_rad, there);
-    EXPECT_NE(SimRobot(kStart, 5).turn_joint6_to(1.0)->joints_rad, there);
+    const JointAngles there = robot.turn_joint6({1, 1.0}, {})->joints_rad;
+    (void)robot.turn_joint6({1, 2.0}, {});
+    EXPECT_EQ(robot.turn_joint6({1, 1.0}, {})->joints_rad, there);
+    EXPECT_NE(SimRobot(kStart, 5).turn_joint6({1, 1.0}, {})->joints_rad, there);
 }
 
 TEST(SimRobot, RefusesToLeaveItsRangeAndStaysWhereItIs) {
     SimRobot robot(kStart, 4);
-    ASSERT_TRUE(robot.turn_joint6_to(rad_from_deg(360.0)));
+    ASSERT_TRUE(robot.turn_joint6({1, rad_from_deg(360.0)}, {}));
     const JointAngles before = robot.read()->joints_rad;
     for (const double deg : {360.1, -361.0, std::nan("")}) {
-        const auto refused = robot.turn_joint6_to(rad_from_deg(deg));
+        const auto refused = robot.turn_joint6({1, rad_from_deg(deg)}, {});
         ASSERT_FALSE(refused);
-        EXPECT_EQ(refused.error().kind, ErrorKind::kDevice);
+        EXPECT_EQ(refused.error().fault, RobotFault::kOutOfRange);
         EXPECT_NE(refused.error().message.find("joint 6"), std::string::npos);
         EXPECT_EQ(robot.read()->joints_rad, before);
     }
@@ -53,7 +53,7 @@ TEST(SimRobot, RefusesToLeaveItsRangeAndStaysWhereItIs) {
 
 TEST(SimRobot, ReportsTheToolWhereItsEncodersPutIt) {
     SimRobot robot(kStart, 4);
-    const auto reading = robot.turn_joint6_to(0.7);
+    const auto reading = robot.turn_joint6({1, 0.7}, {});
     ASSERT_TRUE(reading);
     EXPECT_TRUE(reading->T_world_tool.isApprox(tool_pose(reading->joints_rad), 1e-12));
 }

@@ -36,13 +36,13 @@ std::unique_ptr<SmallCell> make_small_cell(const SmallCellSettings& settings) {
     cell->camera =
         SimCamera::create(
             cell->layout, cell->model, region, camera,
-            [robot = &cell->robot] { return robot->state().true_rad; }, for_each_in_order)
+            [robot = &cell->robot] { return robot->arm().true_rad; }, for_each_in_order)
             .value();
     return cell;
 }
 
 StereoFrame SmallCell::picture_at(double joint6_rad, const FrameRequest& request) {
-    robot.turn_joint6_to(joint6_rad).value();
+    robot.turn_joint6({1, joint6_rad}, {}).value();
     return camera->grab(request).value();
 }
 

@@ -190,7 +190,7 @@ TEST(StereoGeometry, BothPicturesShowTheSamePointsWhereTheyProject) {
     // A quarter of the resolution would alias the grain; half of it still shows it.
     const auto cell = make_small_cell({.blur_px = 0.5, .image_fraction = 2});
     const StereoFrame frame = cell->picture_at(rad_from_deg(-180.0));
-    const JointAngles q = cell->robot.state().true_rad;
+    const JointAngles q = cell->robot.arm().true_rad;
     const auto samples = amid_flat_faces(visible_samples(*cell, q));
     ASSERT_GT(samples.size(), 500U);
     const Pose T_world_tool = tool_pose(q);
@@ -207,9 +207,9 @@ TEST(StereoGeometry, BothPicturesShowTheSamePointsWhereTheyProject) {
 TEST(StereoGeometry, TurningJoint6MovesThePictureAsTheAxisSays) {
     const auto cell = make_small_cell({.blur_px = 0.5, .image_fraction = 2});
     const cv::Mat before = texture_of(cell->picture_at(rad_from_deg(-180.0)).left);
-    const JointAngles q0 = cell->robot.state().true_rad;
+    const JointAngles q0 = cell->robot.arm().true_rad;
     const cv::Mat after = texture_of(cell->picture_at(rad_from_deg(-170.0)).left);
-    const JointAngles q1 = cell->robot.state().true_rad;
+    const JointAngles q1 = cell->robot.arm().true_rad;
 
     auto samples = visible_samples(*cell, q0);
     const Pose T_camera_tool = cell->layout.T_world_camera.inverse() * tool_pose(q0);
