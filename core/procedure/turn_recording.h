@@ -5,12 +5,14 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/camera/stereo_source.h"
 #include "core/cloud/cloud.h"
 #include "core/geometry/box.h"
 #include "core/geometry/stereo_rig.h"
+#include "core/registration/verdict.h"
 
 namespace gripscan {
 
@@ -24,6 +26,8 @@ struct RecordedCapture {
     std::optional<double> joint6_rad;        ///< before the exposure
     std::optional<double> joint6_after_rad;  ///< after it
     std::optional<std::array<double, 5>> other_joints_rad;
+    TurnMode mode = TurnMode::kFree;  ///< of the step that leads to this capture
+    std::string note;                 ///< the operator overrules that step's verdict; empty: not
     std::function<Result<StereoFrame>()> load_images;
     std::function<Result<Cloud>()> load_cloud;
 };
