@@ -35,11 +35,11 @@ Look look(const StepEnd& from, const StepEnd& to, const Pose& T, const TurnSetti
     std::optional<Unexplained> back;
     if (!from.fault) {
         there = unexplained_part(to.view.surface, from.view.surface, T.inverse(),
-                                 {settings.region, from.view.field});
+                                 {settings.region, from.view.field, to.view.cloud.intensity});
     }
     if (!to.fault) {
         back = unexplained_part(from.view.surface, to.view.surface, T,
-                                {settings.region, to.view.field});
+                                {settings.region, to.view.field, from.view.cloud.intensity});
     }
     Look result{there, to.facts.index, 0.0};
     if (back && (!there || back->area_m2 > there->area_m2)) result = {back, from.facts.index, 0.0};

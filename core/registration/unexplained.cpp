@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/registration/region_walls.h"
 #include "core/registration/visibility.h"
 
 namespace gripscan {
@@ -22,6 +23,9 @@ constexpr float kPartnerNormal = 0.3F;
 /// see it in the other view.
 constexpr float kFacing = 0.5F;
 constexpr float kWellFacing = 0.65F;
+/// Points darker than this share of the view's median say nothing: turned a little further from
+/// the light they have no texture left.
+constexpr float kDark = 0.6F;
 /// Next to what the other view saw (in radii of the part) a direction without data says nothing:
 /// stereo leaves a margin at silhouettes. Nor does it near the walls of the region.
 constexpr double kMargin = 0.1;
@@ -34,6 +38,8 @@ constexpr double kCubeSpacings = 2.5;
 constexpr double kMostOfCube = 0.6;
 constexpr int kFewestInCube = 2;
 
+/// A point that is found unmoved stands only if the turn would have taken it so many reaches away.
+constexpr float kPlainlyMoved = 4.0F;
 /// Directions in which the surroundings are looked at.
 constexpr std::array<std::pair<float, float>, 8> kAround{{{1.0F, 0.0F},
                                                           {-1.0F, 0.0F},
@@ -63,6 +69,14 @@ struct CubeContent {
 };
 using Cubes = std::map<Cube, CubeContent>;
 
+float median_of(std::span<const float> values) {
+    if (values.empty()) return 0.0F;
+    std::vector<float> sorted(values.begin(), values.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+}
+
 class Looker {
   public:
     Looker(const Surface& shown, const Surface& other, const Pose& T, const SeenWhere& where)
@@ -75,17 +89,23 @@ class Looker {
           reach_m_(static_cast<float>(
               std::max(kPartnerShare * std::max(shown.radius_m, other.radius_m),
                        kPartnerSpacings * std::max(shown.spacing_m, other.spacing_m)))),
-          margin_m_(static_cast<float>(kMargin * std::max(shown.radius_m, other.radius_m))) {}
+          margin_m_(static_cast<float>(kMargin * std::max(shown.radius_m, other.radius_m))),
+          darkest_(kDark * median_of(where.brightness)) {
+        if (where.region) walls_.emplace(*where.region, other.points, margin_m_);
+    }
 
-    /// Nothing if the point says nothing: at a rim, or seen at a grazing angle.
+    /// Nothing if the point says nothing: at a rim, in the dark, or seen at a grazing angle.
     [[nodiscard]] std::optional<Looked> look(std::uint32_t i) const {
         if (shown_.rim[i] != 0) return std::nullopt;
+        if (!where_.brightness.empty() && where_.brightness[i] < darkest_) return std::nullopt;
         const Eigen::Vector3f ray = (shown_.points[i] - *shown_.viewpoint).normalized();
         if (-shown_.normals[i].dot(ray) < kFacing) return std::nullopt;
         const Eigen::Vector3f p = R_ * shown_.points[i] + t_;
         const Eigen::Vector3f n = R_ * shown_.normals[i];
+        if (walls_ && walls_->leaves(p)) return Looked{i, false};
         if (-n.dot((p - *other_.viewpoint).normalized()) < kWellFacing) return Looked{i, true};
-        return Looked{i, partner_at(p, n) || !ought_to_be_seen(p)};
+        if (partner_at(p, n)) return Looked{i, true};
+        return Looked{i, !ought_to_be_seen(p) && !stands_instead(i, p)};
     }
 
     /// Does the other view have the point where it is, unmoved?
@@ -102,15 +122,13 @@ class Looker {
     [[nodiscard]] bool ought_to_be_seen(const Eigen::Vector3f& p) const {
         const Sight sight = map_.look(p, reach_m_);
         if (sight != Sight::kNothing) return sight == Sight::kInFront;
-        return deep_inside(p.cast<double>()) && !beside_data(p);
+        return walls_ && walls_->deep_inside(p) && where_.field &&
+               where_.field->sees(p.cast<double>()) && !beside_data(p);
     }
 
-    /// Of what the clouds were cut to and what the camera sees.
-    [[nodiscard]] bool deep_inside(const Eigen::Vector3d& p) const {
-        if (!where_.region || !where_.field || !where_.field->sees(p)) return false;
-        const double margin = static_cast<double>(margin_m_);
-        return (p.array() >= where_.region->min_m.array() + margin).all() &&
-               (p.array() <= where_.region->max_m.array() - margin).all();
+    /// Where nothing is known of the place it would have turned to: is it still where it was?
+    [[nodiscard]] bool stands_instead(std::uint32_t i, const Eigen::Vector3f& p) const {
+        return (p - shown_.points[i]).norm() > kPlainlyMoved * reach_m_ && stands(i);
     }
 
     [[nodiscard]] bool beside_data(const Eigen::Vector3f& p) const {
@@ -132,6 +150,8 @@ class Looker {
     const SeenWhere& where_;
     float reach_m_;
     float margin_m_;
+    float darkest_ = 0.0F;
+    std::optional<RegionWalls> walls_;
 };
 
 Cubes sort_into_cubes(const Surface& shown, const Looker& looker,

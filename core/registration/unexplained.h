@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 
 #include "core/geometry/box.h"
 #include "core/geometry/pose.h"
@@ -26,12 +27,16 @@ struct Unexplained {
 struct SeenWhere {
     std::optional<Box> region;       ///< clouds are cut to it
     std::optional<ViewField> field;  ///< the other camera's
+    /// Of the shown points, where it is known: a surface in the dark is easily lost by stereo.
+    std::span<const float> brightness;
 };
 
-/// Points of `shown` that, moved by T, face the other camera, lie inside its field and the region,
-/// are not hidden by what it saw, and yet have no partner there. Without region and field, a
-/// direction without data says nothing and only places the other camera looked through count.
-/// Nothing if all is explained, or without viewpoints.
+/// Points of `shown` that are well lit and cannot be the part's: moved by T they leave the region,
+/// which holds the part at every angle (but for walls that cut it); or they face the other camera,
+/// lie inside its field and the region, are not hidden by what it saw, and yet have no partner
+/// there; or nothing is known of that place, and they are still where they were. Without region and
+/// field, a direction without data says nothing and only places the other camera looked through
+/// count. Nothing if all is explained, or without viewpoints.
 [[nodiscard]] std::optional<Unexplained> unexplained_part(const Surface& shown,
                                                           const Surface& other,
                                                           const Pose& T_other_shown,

@@ -15,7 +15,7 @@ using namespace test;
 const Box kRegion{{-0.2, -0.2, 0.45}, {0.2, 0.2, 0.75}};
 /// Wide enough for what stands beside the part.
 const ViewSettings kWide{.width_px = 150, .height_px = 180};
-const SeenWhere kEverywhere{kRegion, ViewField{{-0.15, -0.18}, {0.15, 0.18}, 0.0}};
+const SeenWhere kEverywhere{kRegion, ViewField{{-0.15, -0.18}, {0.15, 0.18}, 0.0}, {}};
 
 /// The part with a box of 40 mm that stands in front of it and does not turn.
 Cloud view_with_box(const SolidPart& part, double angle_rad, const Eigen::Vector3d& centre_m,
@@ -110,6 +110,25 @@ TEST(Unexplained, WithoutRegionAndFieldOnlyWhatWasLookedThroughCounts) {
     const Pose T = turn_about(cell_axis(), rad_from_deg(20.0));
     const double known = largest_m2(unexplained_part(with, clean, T.inverse(), kEverywhere));
     EXPECT_LT(largest_m2(unexplained_part(with, clean, T.inverse(), {})), 0.5 * known);
+}
+
+TEST(Unexplained, WhatLiesInTheDarkSaysNothing) {
+    const Eigen::Vector3d centre_m(0.02, -0.065, 0.565);
+    const SolidPart part = asymmetric_part(1);
+    const Surface clean = surface_of(view_of(part, part_turned(cell_axis(), 0.0), kWide, 1));
+    const Surface with = surface_of(view_with_box(part, rad_from_deg(20.0), centre_m, 2));
+    const Pose T = turn_about(cell_axis(), rad_from_deg(20.0));
+    std::vector<float> brightness(with.size(), 100.0F);
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        if (with.points[i].y() < -0.04F) brightness[i] = 40.0F;
+    }
+    SeenWhere lit = kEverywhere;
+    lit.brightness = brightness;
+    const double limit = limit_m2(clean, with);
+    EXPECT_LT(largest_m2(unexplained_part(with, clean, T.inverse(), lit)), limit);
+    std::fill(brightness.begin(), brightness.end(), 40.0F);
+    EXPECT_GT(largest_m2(unexplained_part(with, clean, T.inverse(), lit)), limit)
+        << "a dark part is not in the dark by comparison";
 }
 
 TEST(Unexplained, OutsideTheFieldOfTheOtherViewNothingIsAsked) {
