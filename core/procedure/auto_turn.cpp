@@ -68,7 +68,7 @@ int steps_of_turn(double step_rad) {
 }
 
 Status take_turn(RobotLink& robot, StereoSource& source, const AutoTurnSettings& settings,
-                 CaptureStore& store, Journal& journal, const Progress& progress) {
+                 TurnStore& store, Journal& journal, const Progress& progress) {
     if (!(settings.step_rad > 0.0) || settings.step_rad > std::numbers::pi) {
         return input_error("the step must be above 0 and at most 180 deg, not {:.3f} deg",
                            deg_from_rad(settings.step_rad));

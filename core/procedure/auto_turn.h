@@ -17,9 +17,9 @@ struct TakenCapture {
 };
 
 /// Keeps captures as they are made.
-class CaptureStore {
+class TurnStore {
   public:
-    virtual ~CaptureStore() = default;
+    virtual ~TurnStore() = default;
     [[nodiscard]] virtual Status store(const TakenCapture& capture) = 0;
 };
 
@@ -35,7 +35,7 @@ struct AutoTurnSettings {
 /// Takes steps_of_turn() + 1 captures, the last one closing the turn, at absolute joint angles so
 /// that errors do not add up. Errors: a turn beyond the joint's range, the device, cancelled.
 [[nodiscard]] Status take_turn(RobotLink& robot, StereoSource& source,
-                               const AutoTurnSettings& settings, CaptureStore& store,
+                               const AutoTurnSettings& settings, TurnStore& store,
                                Journal& journal, const Progress& progress);
 
 }  // namespace gripscan

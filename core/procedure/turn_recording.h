@@ -5,12 +5,14 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/camera/stereo_source.h"
 #include "core/cloud/cloud.h"
 #include "core/geometry/box.h"
 #include "core/geometry/stereo_rig.h"
+#include "core/registration/turn_report.h"
 
 namespace gripscan {
 
@@ -20,6 +22,8 @@ struct RecordedCapture {
     int index = 0;
     bool used = true;
     int attempts = 1;
+    TurnMode mode = TurnMode::kFree;  ///< of the step that leads to this capture
+    std::string note;                 ///< accepted by the operator with it; empty: not
     std::optional<double> commanded_rad;     ///< turn since the first capture
     std::optional<double> joint6_rad;        ///< before the exposure
     std::optional<double> joint6_after_rad;  ///< after it

@@ -18,6 +18,10 @@ using JointAngles = std::array<double, 6>;
 struct RobotReading {
     JointAngles joints_rad{};
     Pose T_world_tool = Pose::Identity();  ///< tool0 in FANUC WORLD, m
+
+    friend bool operator==(const RobotReading& a, const RobotReading& b) {
+        return a.joints_rad == b.joints_rad && a.T_world_tool.matrix() == b.T_world_tool.matrix();
+    }
 };
 
 /// Who is at the other end.

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/procedure/capture_record.h"
 
 namespace gripscan {
 
-enum class CaptureStatus { kUsed, kSuperseded, kExcluded };
 [[nodiscard]] std::string_view word(CaptureStatus status);
 
 struct CaptureRow {

@@ -7,7 +7,7 @@
 
 namespace gripscan {
 
-class SessionRecorder : public CaptureStore {
+class SessionRecorder : public TurnStore {
   public:
     /// Makes the folder with session.yaml and rig.yaml. A folder that holds anything already is an
     /// error: recordings are never overwritten.

@@ -55,7 +55,7 @@ class FakeCamera : public StereoSource {
     std::size_t fails_at = 0;
 };
 
-class FakeStore : public CaptureStore {
+class FakeStore : public TurnStore {
   public:
     Status store(const TakenCapture& capture) override {
         stored.push_back(capture);
