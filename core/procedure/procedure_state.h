@@ -1,0 +1,104 @@
+// Where the procedure stands: one phase at a time, and what has been gathered on the way. Plain
+// data; only step() changes it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/procedure/advice.h"
+#include "core/procedure/input.h"
+#include "core/procedure/shot.h"
+#include "core/procedure/turn_data.h"
+#include "core/procedure/turn_plan.h"
+
+namespace gripscan {
+
+namespace activity {
+struct CheckingCell {};
+struct Moving {
+    Joint6Command command;           ///< sent, or to be sent again with the same id
+    std::vector<double> then_rad;    ///< further angles, in order
+    std::optional<Shot> shot;        ///< what is taken there; nothing: only the motion was wanted
+};
+struct AwaitingOperator {  ///< without motion rights
+    double target_rad = 0.0;
+    Shot shot;
+};
+struct Exposing {
+    Shot shot;
+};
+struct Judging {
+    int from = 0;
+    int to = 0;
+};
+struct EstimatingAxis {};
+struct Solving {};
+}  // namespace activity
+
+using Activity =
+    std::variant<activity::CheckingCell, activity::Moving, activity::AwaitingOperator,
+                 activity::Exposing, activity::Judging, activity::EstimatingAxis,
+                 activity::Solving>;
+
+namespace phase {
+struct Offline {
+    std::string why;                   ///< empty: not asked yet
+    std::optional<Activity> interrupted;
+};
+struct Connecting {
+    std::optional<Activity> interrupted;
+};
+struct Idle {};  ///< connected, nothing going on
+struct Busy {
+    Activity activity;
+};
+struct Deciding {  ///< the last step was not accepted
+    Advice advice;
+};
+struct Halting {  ///< told to stop, not ended yet
+    Activity activity;
+};
+struct Interrupted {
+    Activity activity;
+    std::string why;
+};
+struct Finished {
+    event::Solved summary;
+};
+}  // namespace phase
+
+using Phase = std::variant<phase::Offline, phase::Connecting, phase::Idle, phase::Busy,
+                           phase::Deciding, phase::Halting, phase::Interrupted, phase::Finished>;
+
+struct ProcedureState {
+    Phase phase = phase::Offline{};
+    TurnPlan plan;
+    bool running = false;  ///< goes on by itself
+    std::optional<RobotIdentity> robot;
+    std::optional<RobotReading> reading;  ///< the last one of a standing arm
+    std::optional<double> told_joint6_rad;  ///< by the operator, where no robot is read
+    int next_motion_id = 1;
+    std::optional<CellReport> cell;
+    std::string cell_note;  ///< the operator's, who accepted a failed check
+    std::optional<event::AxisFound> warm_up;
+    int warm_up_shots = 0;  ///< taken
+    TurnData data;
+    /// Every judged pair of captures, by (from, to); Table 1 is read from it.
+    std::map<std::pair<int, int>, JudgedStep> judged;
+    double rehearsed_rad = 0.0;  ///< DRY: how far the turn was written down
+    std::vector<TurnData> undo;
+    std::vector<TurnData> redo;
+};
+
+/// The row of Table 1 for two captures, with the operator's note on it; null: not judged yet.
+[[nodiscard]] std::optional<JudgedStep> judged_step(const ProcedureState& state, int from, int to);
+/// Table 1 as it stands: every judged pair of consecutive used captures, in order.
+[[nodiscard]] std::vector<JudgedStep> table_of(const ProcedureState& state);
+/// The used captures go all the way round.
+[[nodiscard]] bool turn_complete(const ProcedureState& state);
+
+}  // namespace gripscan
