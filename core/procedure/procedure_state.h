@@ -20,9 +20,15 @@ namespace gripscan {
 namespace activity {
 struct CheckingCell {};
 struct Moving {
-    Joint6Command command;           ///< sent, or to be sent again with the same id
-    std::vector<double> then_rad;    ///< further angles, in order
-    std::optional<Shot> shot;        ///< what is taken there; nothing: only the motion was wanted
+    /// Sent, and to be sent again with the same id where its end is unknown. Id 0: its end is known,
+    /// the motion has to be planned anew.
+    Joint6Command command;
+    std::vector<double> then_rad;  ///< further angles, in order
+    std::optional<Shot> shot;      ///< what is taken there; nothing: only the motion was wanted
+
+    [[nodiscard]] double target_rad() const {
+        return then_rad.empty() ? command.angle_rad : then_rad.back();
+    }
 };
 struct AwaitingOperator {  ///< without motion rights
     double target_rad = 0.0;
@@ -66,9 +72,7 @@ struct Interrupted {
     Activity activity;
     std::string why;
 };
-struct Finished {
-    event::Solved summary;
-};
+struct Finished {};
 }  // namespace phase
 
 using Phase = std::variant<phase::Offline, phase::Connecting, phase::Idle, phase::Busy,
@@ -87,6 +91,7 @@ struct ProcedureState {
     std::optional<event::AxisFound> warm_up;
     int warm_up_shots = 0;  ///< taken
     TurnData data;
+    std::optional<event::Solved> solved;  ///< for the captures as they are
     /// Every judged pair of captures, by (from, to); Table 1 is read from it.
     std::map<std::pair<int, int>, JudgedStep> judged;
     double rehearsed_rad = 0.0;  ///< DRY: how far the turn was written down
@@ -94,8 +99,8 @@ struct ProcedureState {
     std::vector<TurnData> redo;
 };
 
-/// The row of Table 1 for two captures, with the operator's note on it; null: not judged yet.
-[[nodiscard]] std::optional<JudgedStep> judged_step(const ProcedureState& state, int from, int to);
+/// Joint 6 as last read, else as told; nothing: unknown.
+[[nodiscard]] std::optional<double> standing_joint6_rad(const ProcedureState& state);
 /// Table 1 as it stands: every judged pair of consecutive used captures, in order.
 [[nodiscard]] std::vector<JudgedStep> table_of(const ProcedureState& state);
 /// The used captures go all the way round.
