@@ -35,6 +35,10 @@ std::optional<Command> next_at_rest(const ProcedureState& state) {
 void go_on(Draft& draft) {
     while (draft.state.running) {
         const auto* deciding = std::get_if<phase::Deciding>(&draft.state.phase);
+        if (std::holds_alternative<phase::Finished>(draft.state.phase)) {
+            draft.state.running = false;
+            return;
+        }
         if (deciding != nullptr && deciding->advice.action == AdvisedAction::kStop) {
             draft.state.running = false;
             return;
