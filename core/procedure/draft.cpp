@@ -113,7 +113,14 @@ void Draft::rest() {
     const auto table = table_of(state);
     const bool accepted = table.empty() || table.back().row.verdict == Verdict::kAccept ||
                           table.back().row.verdict == Verdict::kAcceptNoted;
-    state.phase = accepted ? Phase{phase::Idle{}} : Phase{phase::Deciding{advice_for(state)}};
+    if (accepted) {
+        state.phase = phase::Idle{};
+        return;
+    }
+    const TurnStep& row = table.back().row;
+    const GivenAdvice given{row.from, row.to, advice_for(state)};
+    if (state.advice.empty() || !(state.advice.back() == given)) state.advice.push_back(given);
+    state.phase = phase::Deciding{given.advice};
 }
 
 void Draft::forget_judged(int index) {
