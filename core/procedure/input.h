@@ -94,14 +94,13 @@ struct Solved {
 struct WorkFailed {  ///< a computation or the disk
     std::string why;
 };
-struct Halted {};       ///< what a Stop ended has ended
 struct ProgramEnded {};  ///< written when a recording is opened again: what was going on is not
 }  // namespace event
 
 using Event = std::variant<event::LinkUp, event::LinkDown, event::CellChecked, event::Arrived,
                            event::TurnFailed, event::TurnLogged, event::Exposed,
                            event::ExposureFailed, event::Judged, event::AxisFound, event::Solved,
-                           event::WorkFailed, event::Halted, event::ProgramEnded>;
+                           event::WorkFailed, event::ProgramEnded>;
 
 using Input = std::variant<Command, Event>;
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/geometry/pose.h"
@@ -55,6 +56,8 @@ enum class RobotFault {
     kOffTarget,     ///< the motion ended somewhere else, or took too long
     kInternal,      ///< the controller's own failure
 };
+/// "unreachable", "lost", "out_of_range", …: for the journal.
+[[nodiscard]] std::string_view word(RobotFault fault);
 
 struct RobotError {
     RobotFault fault = RobotFault::kLost;
