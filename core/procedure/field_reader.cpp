@@ -7,13 +7,19 @@
 namespace gripscan {
 namespace {
 
+bool is_inside_letter(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
 /// On one line, and not too long for a message.
 std::string excerpt(std::string_view text) {
     constexpr std::size_t kLongest = 60;
-    std::string shown(text.substr(0, kLongest));
+    std::size_t end = std::min(text.size(), kLongest);
+    while (end > 0 && end < text.size() && is_inside_letter(text[end])) --end;
+    std::string shown(text.substr(0, end));
     std::replace_if(
         shown.begin(), shown.end(), [](unsigned char c) { return c < ' '; }, ' ');
-    return text.size() > kLongest ? shown + "…" : shown;
+    return end < text.size() ? shown + "…" : shown;
 }
 
 }  // namespace

@@ -303,6 +303,14 @@ TEST(JournalCodec, AMessageStaysOnOneLine) {
                                testing::SizeIs(testing::Lt(200))));
 }
 
+TEST(JournalCodec, AMessageCutsNoLetterInTwo) {
+    std::string text;  // 59 bytes, then letters of two: the limit of 60 falls into the first
+    for (int i = 0; i < 59; ++i) text += 'x';
+    for (int i = 0; i < 9; ++i) text += "ü";
+    const auto record = with(encode(Input(Event(event::Solved{}))), "steps", text);
+    EXPECT_THAT(error_of(record), HasSubstr("'" + text.substr(0, 59) + "…'"));
+}
+
 TEST(JournalCodec, FieldsOfALaterVersionAreIgnored) {
     for (const Input& input : every_input(5)) {
         const JournalRecord written = encode(input);
