@@ -2,6 +2,8 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
+#include <string_view>
 
 #include "core/base/units.h"
 #include "core/registration/turn_report.h"
