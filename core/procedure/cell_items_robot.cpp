@@ -48,8 +48,7 @@ Course course_of(double now_rad, const TurnPlan& plan) {
     const JointRange& range = joint_ranges()[5];
     Course course;
     course.now_rad = now_rad;
-    const bool fits = now_rad + plan.total_rad <= range.max_rad;
-    course.start_rad = plan.start_joint6_rad.value_or(fits ? now_rad : range.min_rad);
+    course.start_rad = start_of_turn(plan, now_rad);
     course.end_rad = course.start_rad + plan.total_rad;
     course.lowest_rad =
         std::min(now_rad, std::max(range.min_rad, course.start_rad - plan.approach_rad));
