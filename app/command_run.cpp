@@ -62,23 +62,23 @@ SessionSpec spec_of(const SimCell& cell, const RunOptions& options) {
 }
 
 Status record(SimCell& cell, const RunOptions& options, const Context& context) {
-    auto recorder = SessionRecorder::create(options.out, spec_of(cell, options), cell.rig());
-    if (!recorder) return forward_error(recorder.error());
-    auto journal = JournalFile::open(fs::path(options.out) / "journal");
-    if (!journal) return forward_error(journal.error());
-    Status begun = journal->write("command", {{"verb", "run gripper"},
-                                              {"cell", options.cell},
-                                              {"seed", fmt::format("{}", options.seed)},
-                                              {"step_deg", text_from_number(options.step_deg)},
-                                              {"version", GRIPSCAN_VERSION}});
+    auto store =
+        SessionStore::create(options.out, spec_of(cell, options), cell.rig(), GRIPSCAN_VERSION);
+    if (!store) return forward_error(store.error());
+    Journal& journal = store->journal();
+    Status begun = journal.write("command", {{"verb", "run gripper"},
+                                             {"cell", options.cell},
+                                             {"seed", fmt::format("{}", options.seed)},
+                                             {"step_deg", text_from_number(options.step_deg)}});
     if (!begun) return begun;
     AutoTurnSettings settings;
     settings.step_rad = rad_from_deg(options.step_deg);
     settings.start_joint6_rad = cell.start_joint6_rad();
+    SessionRecorder recorder(*store);
     ProgressBar bar(context);
     const Status taken =
-        take_turn(cell.robot(), cell.source(), settings, *recorder, *journal, bar.progress());
-    const Status noted = journal->write(
+        take_turn(cell.robot(), cell.source(), settings, recorder, journal, bar.progress());
+    const Status noted = journal.write(
         "result",
         {{"verb", "run gripper"}, {"status", taken ? "recorded" : taken.error().message}});
     return taken ? noted : taken;

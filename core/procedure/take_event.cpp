@@ -193,10 +193,10 @@ struct TakeEvent {
                                  going_on<activity::Solving>() != nullptr,
                                  going_on<activity::CheckingCell>() != nullptr}) {
             if (!known) continue;
-            const auto* busy = std::get_if<phase::Busy>(&s.phase);
-            const Activity activity =
-                busy != nullptr ? busy->activity : std::get<phase::Halting>(s.phase).activity;
-            return interrupt(activity, e.why);
+            if (const auto* busy = std::get_if<phase::Busy>(&s.phase)) {
+                return interrupt(busy->activity, e.why);
+            }
+            return interrupt(std::get<phase::Halting>(s.phase).activity, e.why);
         }
         not_expected();
     }

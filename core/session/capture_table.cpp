@@ -9,12 +9,6 @@
 namespace gripscan {
 namespace {
 
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 Result<std::vector<std::string>> read_header(const std::string& file, const CsvLine& line) {
     std::vector<std::string> names;
     std::set<std::string> seen;

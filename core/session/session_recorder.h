@@ -1,27 +1,20 @@
-// Writes a session folder as the turn goes on: images first, then the line in captures.csv, so that
-// whatever stops the program leaves a valid recording of what was taken.
+// The automatic turn's way into a session folder.
 #pragma once
 
 #include "core/procedure/auto_turn.h"
-#include "core/session/session.h"
+#include "core/session/session_store.h"
 
 namespace gripscan {
 
 class SessionRecorder : public TurnStore {
   public:
-    /// Makes the folder with session.yaml and rig.yaml. A folder that holds anything already is an
-    /// error: recordings are never overwritten.
-    [[nodiscard]] static Result<SessionRecorder> create(const std::filesystem::path& folder,
-                                                        const SessionSpec& spec,
-                                                        const StereoRig& rig);
+    explicit SessionRecorder(SessionStore& store) : store_(store) {}
 
     [[nodiscard]] Status store(const TakenCapture& capture) override;
 
   private:
-    explicit SessionRecorder(std::filesystem::path folder);
-
-    std::filesystem::path folder_;
-    CaptureTable table_;
+    SessionStore& store_;
+    std::vector<CaptureRecord> captures_;
 };
 
 }  // namespace gripscan
