@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/robot/line_framer.h"
-#include "core/robot/tcp_connection.h"
+#include "core/concurrency/tcp_connection.h"
 
 namespace gripscan {
 

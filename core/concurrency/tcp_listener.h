@@ -1,7 +1,7 @@
 // Waits for TCP connections, for the servers: the simulated controller, the frames of its camera.
 #pragma once
 
-#include "core/robot/tcp_connection.h"
+#include "core/concurrency/tcp_connection.h"
 
 namespace gripscan {
 

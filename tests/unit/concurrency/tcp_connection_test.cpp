@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "core/robot/line_channel.h"
-#include "core/robot/tcp_listener.h"
+#include "core/concurrency/tcp_listener.h"
 
 namespace gripscan {
 namespace {

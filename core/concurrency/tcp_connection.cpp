@@ -1,4 +1,4 @@
-#include "core/robot/tcp_connection.h"
+#include "core/concurrency/tcp_connection.h"
 
 #include <fmt/format.h>
 #include <poll.h>

@@ -1,4 +1,4 @@
-#include "core/robot/tcp_listener.h"
+#include "core/concurrency/tcp_listener.h"
 
 #include <fmt/format.h>
 
