@@ -49,6 +49,7 @@ enum class RobotFault {
     kStaleId,       ///< a command id that the controller has passed: `last_id` tells it
     kStopped,       ///< the motion ended because it was told to
     kOffTarget,     ///< the motion ended somewhere else, or took too long
+    kOtherJoint,    ///< joints 1 … 5 are not where they were: what the turn was for is void
     kInternal,      ///< the controller's own failure
 };
 
