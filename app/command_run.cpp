@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/base/units.h"
 #include "core/procedure/auto_turn.h"
+#include "core/robot/gsp_link.h"
 #include "core/session/cell_file.h"
 #include "core/session/journal_file.h"
 #include "core/session/session_recorder.h"
@@ -39,6 +40,8 @@ Result<SimCell> open_cell(const RunOptions& options) {
     }
     SimCellSettings settings;
     settings.seed = options.seed;
+    settings.step_deg = options.step_deg;
+    settings.time_scale = 20.0;  // pictures are what takes time
     if (!options.gripper_model.empty()) settings.gripper = options.gripper_model;
     return SimCell::create(settings);
 }
@@ -75,9 +78,17 @@ Status record(SimCell& cell, const RunOptions& options, const Context& context) 
     AutoTurnSettings settings;
     settings.step_rad = rad_from_deg(options.step_deg);
     settings.start_joint6_rad = cell.start_joint6_rad();
+    gsp::GspSettings port;
+    port.motion_port = cell.motion_port();
+    port.monitor_port = cell.monitor_port();
+    port.max_step_deg = 120.0;
+    gsp::GspLink robot(port);
+    if (const auto connected = robot.connect(); !connected) {
+        return forward_error(as_error(connected.error()));
+    }
     ProgressBar bar(context);
     const Status taken =
-        take_turn(cell.robot(), cell.source(), settings, *recorder, *journal, bar.progress());
+        take_turn(robot, cell.source(), settings, *recorder, *journal, bar.progress());
     const Status noted = journal->write(
         "result",
         {{"verb", "run gripper"}, {"status", taken ? "recorded" : taken.error().message}});
