@@ -73,12 +73,16 @@ class Driver {
     bool stopped_ = false;
 };
 
+Status trouble_of_link(const Driver& driver) {
+    const auto* offline = driver.in<phase::Offline>();
+    if (offline != nullptr) return device_error("{}", offline->why);
+    return {};
+}
+
 /// What stands in the way of going on, as an error; nothing: the engine rests.
 Status trouble(const Driver& driver) {
     if (driver.stopped()) return cancelled_error();
-    if (const auto* offline = driver.in<phase::Offline>()) {
-        return device_error("{}", offline->why);
-    }
+    if (Status s = trouble_of_link(driver); !s) return s;
     if (const auto* interrupted = driver.in<phase::Interrupted>()) {
         return device_error("{}", interrupted->why);
     }
@@ -102,10 +106,10 @@ Result<TurnEnd> end_of(Driver& driver) {
 
 }  // namespace
 
-Result<TurnEnd> drive_turn(Engine& engine, const DriverOptions& options, const Context& context) {
+Result<DrivenTurn> drive_turn(Engine& engine, const DriverOptions& options, const Context& context) {
     Driver driver(engine, context);
     if (Status s = driver.command(command::Connect{}); !s) return forward_error(s.error());
-    if (driver.in<phase::Offline>() != nullptr) return end_of(driver);
+    if (Status s = trouble_of_link(driver); !s) return forward_error(s.error());
     if (options.resumed && driver.in<phase::Interrupted>() != nullptr) {
         auto reply = engine.submit(command::Resume{});
         if (!reply) return forward_error(reply.error());
@@ -115,7 +119,9 @@ Result<TurnEnd> drive_turn(Engine& engine, const DriverOptions& options, const C
     } else if (Status s = driver.wait(); !s) {
         return forward_error(s.error());
     }
-    return end_of(driver);
+    const auto end = end_of(driver);
+    if (!end) return forward_error(end.error());
+    return DrivenTurn{*end, engine.state()};
 }
 
 }  // namespace gripscan::app

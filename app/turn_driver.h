@@ -19,7 +19,12 @@ enum class TurnEnd {
     kCellRefused,  ///< the cell check has failed
 };
 
-[[nodiscard]] Result<TurnEnd> drive_turn(Engine& engine, const DriverOptions& options,
+struct DrivenTurn {
+    TurnEnd end = TurnEnd::kNothing;
+    ProcedureState state;
+};
+
+[[nodiscard]] Result<DrivenTurn> drive_turn(Engine& engine, const DriverOptions& options,
                                          const Context& context);
 
 }  // namespace gripscan::app

@@ -35,6 +35,11 @@ void TurnTalk::tell(const ProcedureState& state) {
     }
     tell_steps(state);
     tell_advice(state);
+    for (; rehearsed_told_ < state.rehearsed_joint6_rad.size(); ++rehearsed_told_) {
+        say(context_, fmt::format("DRY: would turn joint 6 to {:.3f} deg at {:.0f} %",
+                                  deg_from_rad(state.rehearsed_joint6_rad[rehearsed_told_]),
+                                  state.plan.speed_percent));
+    }
 }
 
 void TurnTalk::tell_cell(const ProcedureState& state) {

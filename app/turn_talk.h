@@ -23,6 +23,7 @@ class TurnTalk {
     bool warm_up_told_ = false;
     std::map<std::pair<int, int>, std::string> steps_told_;  ///< the sentence of each
     std::size_t advice_told_ = 0;
+    std::size_t rehearsed_told_ = 0;
 };
 
 }  // namespace gripscan::app

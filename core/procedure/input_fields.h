@@ -76,9 +76,10 @@ void fields(auto& io, Is<event::Judged> auto& judged) {
 }
 
 void fields(auto& io, Is<event::AxisFound> auto& found) {
-    auto& [axis, sentence] = found;
+    auto& [axis, sentence, cell] = found;
     io("axis", axis);
     io("sentence", sentence);
+    io("cell", cell);
 }
 
 void fields(auto& io, Is<event::Solved> auto& solved) {

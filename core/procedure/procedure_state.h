@@ -104,7 +104,7 @@ struct ProcedureState {
     /// Every judged pair of captures, by (from, to); Table 1 is read from it.
     std::map<std::pair<int, int>, JudgedStep> judged;
     std::vector<GivenAdvice> advice;  ///< in order
-    double rehearsed_rad = 0.0;  ///< DRY: how far the turn was written down
+    std::vector<double> rehearsed_joint6_rad;  ///< DRY: the motions written down, in order
     std::vector<TurnData> undo;
     std::vector<TurnData> redo;
 };

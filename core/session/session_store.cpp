@@ -131,9 +131,10 @@ Result<SessionStore> SessionStore::open(const fs::path& folder) {
     return SessionStore(folder, std::move(*lock), std::move(*journal));
 }
 
-Status SessionStore::store_images(int index, const StereoFrame& frame) {
+Status SessionStore::store_images(int index, int attempt, const StereoFrame& frame) {
     CaptureRecord capture;
     capture.index = index;
+    capture.attempt = attempt;
     const CaptureRow row = row_of(capture);
     if (Status status = save_png(folder_ / row.left, frame.left); !status) return status;
     return save_png(folder_ / row.right, frame.right);
@@ -151,6 +152,14 @@ Status SessionStore::save_table(std::span<const CaptureRecord> captures) {
         table.rows.push_back(std::move(row));
     }
     return write_file_atomically(folder_ / "captures.csv", capture_table_text(table));
+}
+
+std::vector<RecordedCapture> SessionStore::recorded(
+    std::span<const CaptureRecord> captures) const {
+    Session session;
+    session.folder = folder_;
+    for (const auto& capture : captures) session.table.rows.push_back(row_of(capture));
+    return recording_of(session).captures;
 }
 
 }  // namespace gripscan

@@ -27,9 +27,11 @@ class SessionStore : public CaptureStore {
     [[nodiscard]] static Result<SessionStore> open(const std::filesystem::path& folder);
 
     [[nodiscard]] Journal& journal() { return journal_; }
-    [[nodiscard]] Status store_images(int index, const StereoFrame& frame) override;
+    [[nodiscard]] Status store_images(int index, int attempt, const StereoFrame& frame) override;
     /// Columns that gripscan does not know are kept, with their cells.
     [[nodiscard]] Status save_table(std::span<const CaptureRecord> captures) override;
+    [[nodiscard]] std::vector<RecordedCapture> recorded(
+        std::span<const CaptureRecord> captures) const override;
 
   private:
     SessionStore(std::filesystem::path folder, FolderLock lock, JournalFile journal);
