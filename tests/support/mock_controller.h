@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <deque>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -14,29 +13,9 @@
 #include "core/robot/kinematics.h"
 #include "core/robot/line_channel.h"
 #include "tests/support/mock_arm.h"
+#include "tests/support/mock_script.h"
 
 namespace gripscan::test {
-
-/// Where in a turn something happens.
-enum class Point {
-    kRequest,   ///< the command was read, nothing came of it yet
-    kAccepted,  ///< it was taken; ACC is to be sent
-    kMoving,    ///< ACC was sent, the arm is on its way
-    kDone,      ///< the arm stands; DONE is to be sent
-    kQuestion,  ///< on the monitor: the reply is to be sent
-};
-
-enum class Mischief {
-    kDrop,      ///< closes the connection
-    kHalfOpen,  ///< falls silent on the connection and never closes it
-    kNever,     ///< does not send it
-    kLate,      ///< sends it after the client's patience
-    kGarbled,   ///< sends something else
-    kSplit,     ///< sends it byte by byte
-    kJoined,    ///< sends it together with what follows
-    kTwice,     ///< sends it twice
-    kRestart,   ///< halts the arm, forgets all ids, closes everything
-};
 
 class MockController {
   public:
@@ -48,18 +27,20 @@ class MockController {
     // The script; each line holds for so many times.
 
     MockController& at(Point point, Mischief mischief, int times = 1) {
-        const std::lock_guard lock(mutex_);
-        for (int i = 0; i < times; ++i) script_.push_back({point, mischief});
+        script_.add(point, mischief, times);
         return *this;
     }
     /// kRequest: refuses. kMoving: halts the arm and ends with that code. kDone: ends with it.
     MockController& fails(Point point, gsp::ErrorCode code) {
-        const std::lock_guard lock(mutex_);
-        failures_.push_back({point, code});
+        script_.add(point, code);
         return *this;
     }
+    MockController& flaw(Flaw flaw) {
+        script_.add(flaw);
+        return *this;
+    }
+    /// Of all trouble of the link.
     MockController& heals() {
-        const std::lock_guard lock(mutex_);
         script_.clear();
         return *this;
     }
@@ -102,27 +83,6 @@ class MockController {
   private:
     static constexpr std::chrono::milliseconds kTick{2};
 
-    // Scripted trouble.
-
-    std::optional<Mischief> mischief_at(Point point) {
-        const std::lock_guard lock(mutex_);
-        const auto line = std::find_if(script_.begin(), script_.end(),
-                                       [&](const auto& l) { return l.first == point; });
-        if (line == script_.end()) return std::nullopt;
-        const Mischief mischief = line->second;
-        script_.erase(line);
-        return mischief;
-    }
-    std::optional<gsp::ErrorCode> failure_at(Point point) {
-        const std::lock_guard lock(mutex_);
-        const auto line = std::find_if(failures_.begin(), failures_.end(),
-                                       [&](const auto& l) { return l.first == point; });
-        if (line == failures_.end()) return std::nullopt;
-        const auto code = line->second;
-        failures_.erase(line);
-        return code;
-    }
-
     struct Client {
         LineChannel lines;
         std::string held_back;
@@ -139,7 +99,7 @@ class MockController {
     /// Sends the reply as the script wants it.
     void reply(Client& client, const gsp::Reply& what, Point point) {
         const std::string line = gsp::encode(what).append(kLineEnd);
-        const auto mischief = mischief_at(point);
+        const auto mischief = script_.mischief_at(point);
         if (!mischief) return send(client, line);
         if (disturb(client, *mischief)) return;
         switch (*mischief) {
@@ -199,6 +159,7 @@ class MockController {
             if (!accepted) continue;
             Client client{LineChannel(*std::move(accepted)), {}, false};
             while (!client.gone && !stop.stop_requested()) serve(client);
+            if (script_.has(Flaw::kForgetsOnLoss)) forget();
         }
     }
 
@@ -221,46 +182,58 @@ class MockController {
 
     std::optional<gsp::Request> request_of(Client& client, const FramedItem& item) {
         if (std::holds_alternative<OverlongLine>(item)) {
+            if (script_.has(Flaw::kClosesOnLong)) {
+                client.lines.close();
+                client.gone = true;
+            }
             send(client, gsp::encode(gsp::Reply(gsp::too_long())).append(kLineEnd));
             return std::nullopt;
         }
         if (std::holds_alternative<BrokenStream>(item)) {
+            if (script_.has(Flaw::kBearsAll)) return std::nullopt;
             client.lines.close();
             client.gone = true;
             return std::nullopt;
         }
         auto request = gsp::decode_request(std::get<Line>(item).text);
         if (request) return *std::move(request);
+        const bool unknown = request.error().code == gsp::ErrorCode::kUnknownRequest;
+        if (unknown && script_.has(Flaw::kSilentOnUnknown)) return std::nullopt;
         send(client, gsp::encode(gsp::Reply(request.error())).append(kLineEnd));
         return std::nullopt;
     }
 
     void take_turn(Client& client, const gsp::TurnJoint6& turn) {
-        if (const auto mischief = mischief_at(Point::kRequest)) {
+        if (const auto mischief = script_.mischief_at(Point::kRequest)) {
             (void)disturb(client, *mischief);
             return;
         }
         if (const auto refusal = refusal_of(turn)) return send_line(client, *refusal);
-        const bool again = turn.id == last_.id;
+        const bool again = turn.id == last_.id && !script_.has(Flaw::kForgetsIds);
+        if (again && script_.has(Flaw::kRepeatMoves)) arm_.start(turn.angle_deg + 1.0, duration_);
         if (!again) begin(turn);
         reply(client, gsp::Accepted{turn.id}, Point::kAccepted);
         if (again && answer_ && !client.gone) return reply(client, *answer_, Point::kDone);
         if (again || client.gone) return;
-        if (const auto mischief = mischief_at(Point::kMoving)) (void)disturb(client, *mischief);
+        if (const auto mischief = script_.mischief_at(Point::kMoving))
+            (void)disturb(client, *mischief);
     }
 
     std::optional<gsp::Failure> refusal_of(const gsp::TurnJoint6& turn) {
         using gsp::ErrorCode;
-        if (const auto code = failure_at(Point::kRequest)) {
+        if (const auto code = script_.failure_at(Point::kRequest)) {
             return gsp::Failure{turn.id, *code, std::string(gsp::words_of(*code))};
         }
         const std::lock_guard lock(mutex_);
-        if (turn.id < last_.id || (turn.id == last_.id && !(turn == last_))) {
+        const bool known = !script_.has(Flaw::kForgetsIds);
+        if (known && (turn.id < last_.id || (turn.id == last_.id && !(turn == last_)))) {
             return gsp::Failure{turn.id, ErrorCode::kStaleId,
                                 gsp::stale_text(last_.id, "passed or other arguments")};
         }
-        if (turn.id == last_.id) return std::nullopt;
-        if (running_) return gsp::Failure{turn.id, ErrorCode::kBusy, "busy"};
+        if (known && turn.id == last_.id) return std::nullopt;
+        if (running_ && !script_.has(Flaw::kNeverBusy))
+            return gsp::Failure{turn.id, ErrorCode::kBusy, "busy"};
+        if (script_.has(Flaw::kNoLimits)) return std::nullopt;
         if (turn.speed_percent < 1.0 || turn.speed_percent > 50.0) {
             return gsp::Failure{turn.id, ErrorCode::kSpeedRange, "speed outside 1..50"};
         }
@@ -284,12 +257,12 @@ class MockController {
     void finish_motion(Client* client) {
         if (restarted_.exchange(false) && client) client->gone = true;
         if (!running_) return;
-        if (const auto code = failure_at(Point::kMoving)) {
+        if (const auto code = script_.failure_at(Point::kMoving)) {
             arm_.halt();
             return finish(client, gsp::Failure{last_.id, *code, "SRVO-002 deadman"});
         }
         if (arm_.moving()) return;
-        if (const auto code = failure_at(Point::kDone)) {
+        if (const auto code = script_.failure_at(Point::kDone)) {
             return finish(client, gsp::Failure{last_.id, *code, std::string(gsp::words_of(*code))});
         }
         if (stopped_) {
@@ -325,23 +298,24 @@ class MockController {
 
     void answer_question(Client& client, const gsp::Request& request, Point point) {
         if (const auto* hello = std::get_if<gsp::Hello>(&request)) {
-            if (hello->version != gsp::kVersion) {
+            if (hello->version != gsp::kVersion && !script_.has(Flaw::kAnyVersion)) {
                 return send_line(client, gsp::Failure{0, gsp::ErrorCode::kVersion, "speaks 1"});
             }
             const std::lock_guard lock(mutex_);
             return send_line(client, hello_);
         }
         if (std::holds_alternative<gsp::AskState>(request)) {
-            return reply(client, gsp::StateReply{true, true, false, false, arm_.moving(), 100, ""},
-                         point);
+            return reply(client, state(), point);
         }
         if (std::holds_alternative<gsp::AskPosition>(request)) {
+            if (script_.has(Flaw::kShortPosition)) return send(client, "OK POS 1 2 3\r\n");
             return reply(client, gsp::PositionReply{position(0.0)}, point);
         }
         if (std::holds_alternative<gsp::TurnJoint6>(request) || point == Point::kRequest) {
             return send_line(client, gsp::Failure{0, gsp::ErrorCode::kUnknownRequest, "not here"});
         }
         ++stops_;
+        if (script_.has(Flaw::kDeafToStop)) return reply(client, gsp::StopReply{}, point);
         stopped_ = stopped_ || arm_.moving();
         arm_.halt();
         reply(client, gsp::StopReply{}, point);
@@ -351,18 +325,25 @@ class MockController {
         send(client, gsp::encode(what).append(kLineEnd));
     }
 
+    gsp::StateReply state() {
+        const bool moving = arm_.moving() && !script_.has(Flaw::kNeverTellsMoving);
+        return {true, !script_.has(Flaw::kServoOff), false, false, moving, 100, ""};
+    }
+
     gsp::Position position(double off_deg) {
         RobotReading reading;
         auto joints_deg = arm_.joints_deg();
         joints_deg[5] += off_deg;
         for (std::size_t i = 0; i < 6; ++i) reading.joints_rad[i] = rad_from_deg(joints_deg[i]);
-        reading.T_world_tool = tool_pose(reading.joints_rad);
-        return gsp::position_from(reading, 1000);
+        if (!script_.has(Flaw::kPoseStands)) reading.T_world_tool = tool_pose(reading.joints_rad);
+        const auto age = std::chrono::steady_clock::now() - begin_;
+        return gsp::position_from(
+            reading, std::chrono::duration_cast<std::chrono::milliseconds>(age).count());
     }
 
+    const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::mutex mutex_;
-    std::deque<std::pair<Point, Mischief>> script_;
-    std::deque<std::pair<Point, gsp::ErrorCode>> failures_;
+    MockScript script_;
     gsp::HelloReply hello_{"LRMate200iC/5L", 6, std::string(gsp::kVersionText)};
     gsp::TurnJoint6 last_;
     std::optional<gsp::Reply> answer_;
