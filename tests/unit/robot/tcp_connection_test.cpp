@@ -5,8 +5,8 @@
 
 #include <thread>
 
-#include "core/robot/line_channel.h"
 #include "core/concurrency/tcp_listener.h"
+#include "core/robot/line_channel.h"
 
 namespace gripscan {
 namespace {
