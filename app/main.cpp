@@ -62,6 +62,7 @@ int parse_and_run(int argc, char** argv) {
     add_export(line);
     add_report(line);
     add_robot_check(line);
+    add_simcell(line);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
