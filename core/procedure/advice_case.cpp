@@ -5,16 +5,14 @@
 namespace gripscan {
 namespace {
 
-/// Judged steps of earlier attempts at the angle of the last used view.
-std::vector<JudgedStep> earlier_attempts(const ProcedureState& state) {
+/// Judged steps of earlier attempts at the step that ends at the last used view, oldest first: those
+/// at the same angle and the larger ones that were halved.
+std::vector<JudgedStep> earlier_attempts(const ProcedureState& state, int from, int to) {
     std::vector<JudgedStep> attempts;
-    const CaptureRecord& last = *state.data.last_used();
     for (const CaptureRecord& capture : state.data.captures) {
-        if (capture.index >= last.index) break;
-        if (!same_angle(capture.commanded_rad, last.commanded_rad)) continue;
-        for (const auto& [pair, step] : state.judged) {
-            if (pair.second == capture.index) attempts.push_back(step);
-        }
+        if (capture.index >= to) break;
+        const auto judged = state.judged.find({from, capture.index});
+        if (judged != state.judged.end()) attempts.push_back(judged->second);
     }
     return attempts;
 }
@@ -28,7 +26,7 @@ Advice advice_for(const ProcedureState& state) {
     const auto used = state.data.used();
     const double step_rad = state.data.captures[used.back()].commanded_rad -
                             state.data.captures[used[used.size() - 2]].commanded_rad;
-    const std::vector<JudgedStep> attempts = earlier_attempts(state);
+    const std::vector<JudgedStep> attempts = earlier_attempts(state, last.row.from, last.row.to);
     return advise({last, table, attempts, step_rad, state.data.axis_locked}, state.plan);
 }
 

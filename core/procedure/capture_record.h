@@ -15,6 +15,8 @@ enum class CaptureStatus {
     kSuperseded,  ///< retaken, halved over or gone back from
     kExcluded,    ///< by the operator
 };
+/// "used", "superseded", "excluded": the words of captures.csv.
+[[nodiscard]] std::string_view word(CaptureStatus status);
 
 struct CaptureRecord {
     int index = 0;               ///< rises, unique, never renumbered

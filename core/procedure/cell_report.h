@@ -2,11 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gripscan {
 
 enum class CheckOutcome { kPassed, kWarned, kFailed, kSkipped };
+/// "passed", "warned", "failed", "skipped".
+[[nodiscard]] std::string_view word(CheckOutcome outcome);
 
 struct CellCheckItem {
     std::string name;  ///< one word: link, range, volume, …

@@ -113,7 +113,14 @@ void Draft::rest() {
     const auto table = table_of(state);
     const bool accepted = table.empty() || table.back().row.verdict == Verdict::kAccept ||
                           table.back().row.verdict == Verdict::kAcceptNoted;
-    state.phase = accepted ? Phase{phase::Idle{}} : Phase{phase::Deciding{advice_for(state)}};
+    if (accepted) {
+        state.phase = phase::Idle{};
+        return;
+    }
+    const TurnStep& row = table.back().row;
+    const GivenAdvice given{row.from, row.to, advice_for(state)};
+    if (state.advice.empty() || !(state.advice.back() == given)) state.advice.push_back(given);
+    state.phase = phase::Deciding{given.advice};
 }
 
 void Draft::forget_judged(int index) {
@@ -123,12 +130,8 @@ void Draft::forget_judged(int index) {
 }
 
 void Draft::settle_start() {
-    if (state.plan.start_joint6_rad) return;
-    const double standing = standing_joint6_rad(state).value_or(0.0);
-    const auto [min_rad, max_rad] = joint_ranges()[5];
-    const bool fits = standing + state.plan.total_rad <= max_rad + 1e-9 && standing >= min_rad;
-    const bool moves = state.plan.mode != MotionMode::kManual;
-    state.plan.start_joint6_rad = fits || !moves ? standing : -0.5 * state.plan.total_rad;
+    state.plan.start_joint6_rad =
+        start_of_turn(state.plan, standing_joint6_rad(state).value_or(0.0));
 }
 
 double Draft::joint6_of(double commanded_rad) const {

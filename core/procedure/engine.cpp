@@ -49,11 +49,17 @@ std::deque<Event> Engine::received(std::chrono::milliseconds wait) {
     return std::exchange(inbox_, {});
 }
 
-Result<std::optional<std::string>> Engine::take(const Input& input) {
+Result<std::optional<std::string>> Engine::take(const Input& given) {
     if (broken_) return forward_error(*broken_);
-    Transition transition = step(state_, input);
+    // What is applied is what a later reading of the journal will find.
+    const JournalRecord record = encode(given);
+    const auto input = decode_input(record.event, record.fields);
+    if (!input || !*input) {
+        broken_ = input ? Error{ErrorKind::kInput, "an input that is none"} : input.error();
+        return forward_error(*broken_);
+    }
+    Transition transition = step(state_, **input);
     if (transition.refused) return std::move(transition.refused);
-    const JournalRecord record = encode(input);
     if (Status written = journal_.write(record.event, record.fields); !written) {
         broken_ = written.error();
         return forward_error(written.error());

@@ -45,7 +45,7 @@ class Engine {
         Effect effect;
         ProcedureState state;
     };
-    [[nodiscard]] Result<std::optional<std::string>> take(const Input& input);
+    [[nodiscard]] Result<std::optional<std::string>> take(const Input& given);
     [[nodiscard]] Status carry_out(const Effect& effect);
     void work_loop(const std::stop_token& stop);
     [[nodiscard]] std::deque<Event> received(std::chrono::milliseconds wait);

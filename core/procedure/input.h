@@ -85,6 +85,7 @@ struct Judged {
 struct AxisFound {
     std::optional<AxisEstimate> axis;  ///< nothing: the surface does not show its turn
     std::string sentence;
+    std::optional<CellReport> cell;  ///< checked again, with what the warm-up has shown
 };
 struct Solved {
     int accepted = 0;

@@ -75,6 +75,15 @@ struct Interrupted {
 struct Finished {};
 }  // namespace phase
 
+/// What the advisor said about a step, kept although the run has gone on since.
+struct GivenAdvice {
+    int from = 0;  ///< captures of the step
+    int to = 0;
+    Advice advice;
+
+    friend bool operator==(const GivenAdvice&, const GivenAdvice&) = default;
+};
+
 using Phase = std::variant<phase::Offline, phase::Connecting, phase::Idle, phase::Busy,
                            phase::Deciding, phase::Halting, phase::Interrupted, phase::Finished>;
 
@@ -94,7 +103,8 @@ struct ProcedureState {
     std::optional<event::Solved> solved;  ///< for the captures as they are
     /// Every judged pair of captures, by (from, to); Table 1 is read from it.
     std::map<std::pair<int, int>, JudgedStep> judged;
-    double rehearsed_rad = 0.0;  ///< DRY: how far the turn was written down
+    std::vector<GivenAdvice> advice;  ///< in order
+    std::vector<double> rehearsed_joint6_rad;  ///< DRY: the motions written down, in order
     std::vector<TurnData> undo;
     std::vector<TurnData> redo;
 };

@@ -67,8 +67,10 @@ struct TakeCommand {
     void operator()(const command::Step&) const {
         if (s.plan.mode == MotionMode::kDry) {
             draft.settle_start();
-            const double next = std::min(s.rehearsed_rad + s.data.step_rad, s.plan.total_rad);
-            return draft.drive_to(draft.joint6_of(next), std::nullopt);
+            const double at_rad = s.rehearsed_joint6_rad.empty() ? draft.joint6_of(0.0)
+                                                                 : s.rehearsed_joint6_rad.back();
+            const double end_rad = draft.joint6_of(s.plan.total_rad);
+            return draft.drive_to(std::min(at_rad + s.data.step_rad, end_rad), std::nullopt);
         }
         draft.remember();
         const double next = s.data.last_used()->commanded_rad + s.data.step_rad;

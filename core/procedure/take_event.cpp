@@ -136,11 +136,10 @@ struct TakeEvent {
     void operator()(const event::TurnLogged&) const {
         const auto* moving = going_on<activity::Moving>();
         if (moving == nullptr) return not_expected();
-        s.rehearsed_rad = moving->target_rad() - s.plan.start_joint6_rad.value_or(0.0);
-        s.phase = s.rehearsed_rad < s.plan.total_rad && !same_angle(s.rehearsed_rad,
-                                                                    s.plan.total_rad)
-                      ? Phase{phase::Idle{}}
-                      : Phase{phase::Finished{}};
+        s.rehearsed_joint6_rad.push_back(moving->target_rad());
+        const double end_rad = draft.joint6_of(s.plan.total_rad);
+        s.phase = same_angle(moving->target_rad(), end_rad) ? Phase{phase::Finished{}}
+                                                             : Phase{phase::Idle{}};
     }
 
     void operator()(const event::Exposed& e) const {
@@ -173,6 +172,8 @@ struct TakeEvent {
     void operator()(const event::AxisFound& e) const {
         if (going_on<activity::EstimatingAxis>() == nullptr) return not_expected();
         s.warm_up = e;
+        if (e.cell) s.cell = e.cell;
+        if (s.cell && !s.cell->passed() && s.cell_note.empty()) s.running = false;
         s.phase = phase::Idle{};
     }
 

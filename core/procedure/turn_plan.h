@@ -2,6 +2,8 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
+#include <string_view>
 
 #include "core/base/units.h"
 #include "core/registration/turn_report.h"
@@ -38,5 +40,9 @@ struct TurnPlan {
     int retakes_an_angle = 2;
     int rejected_in_a_row = 3;  ///< so many and it stops
 };
+
+/// Joint 6 at the first capture: as planned, else where it stands, else, where the whole turn would
+/// not fit from there, so that it lies evenly about zero.
+[[nodiscard]] double start_of_turn(const TurnPlan& plan, double standing_joint6_rad);
 
 }  // namespace gripscan

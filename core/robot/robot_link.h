@@ -5,6 +5,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/geometry/pose.h"
@@ -56,6 +57,8 @@ enum class RobotFault {
     kOtherJoint,    ///< joints 1 … 5 are not where they were: what the turn was for is void
     kInternal,      ///< the controller's own failure
 };
+/// "unreachable", "lost", "out_of_range", …: for the journal.
+[[nodiscard]] std::string_view word(RobotFault fault);
 
 struct RobotError {
     RobotFault fault = RobotFault::kLost;

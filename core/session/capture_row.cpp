@@ -38,8 +38,10 @@ CaptureRow row_of(const CaptureRecord& capture) {
     row.commanded_deg = tidy_deg(capture.commanded_rad);
     if (capture.before) write_reading(row, *capture.before);
     if (capture.joint6_after_rad) row.j6_after_deg = tidy_deg(*capture.joint6_after_rad);
-    row.left = fmt::format("frames/{:03}_left.png", capture.index);
-    row.right = fmt::format("frames/{:03}_right.png", capture.index);
+    // A retake of an earlier view keeps its index: its images must not replace the first ones.
+    const std::string attempt = capture.attempt == 1 ? "" : fmt::format("_{}", capture.attempt);
+    row.left = fmt::format("frames/{:03}{}_left.png", capture.index, attempt);
+    row.right = fmt::format("frames/{:03}{}_right.png", capture.index, attempt);
     row.t_s = tidy(capture.t_s);
     row.attempt = capture.attempt;
     row.status = capture.status;

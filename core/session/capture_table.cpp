@@ -55,11 +55,6 @@ Result<CaptureRow> read_row(const std::string& file, const std::vector<std::stri
 
 }  // namespace
 
-std::string_view word(CaptureStatus status) {
-    constexpr std::array<std::string_view, 3> kWords{"used", "superseded", "excluded"};
-    return kWords[static_cast<std::size_t>(status)];
-}
-
 std::vector<std::string> all_capture_columns() {
     std::vector<std::string> names;
     for (const auto& column : capture_columns()) names.emplace_back(column.name);

@@ -12,8 +12,6 @@
 
 namespace gripscan {
 
-[[nodiscard]] std::string_view word(CaptureStatus status);
-
 struct CaptureRow {
     int index = 0;
     std::optional<double> commanded_deg;              ///< turn since the first capture

@@ -143,9 +143,12 @@ class FakeWork : public EffectRunner {
 /// Keeps in memory what a session keeps on the disk.
 class MemoryStore : public CaptureStore {
   public:
-    Status store_images(int, const StereoFrame&) override { return {}; }
+    Status store_images(int, int, const StereoFrame&) override { return {}; }
     Status save_table(std::span<const CaptureRecord> captures) override {
         table.assign(captures.begin(), captures.end());
+        return {};
+    }
+    std::vector<RecordedCapture> recorded(std::span<const CaptureRecord>) const override {
         return {};
     }
     std::vector<CaptureRecord> table;
