@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "core/stereo/rectifier.h"
+#include "core/procedure/turn_workspace.h"
 
 namespace gripscan {
 namespace {
@@ -11,105 +11,35 @@ namespace {
 /// Images in memory at the same time: bounds the memory on machines with many cores.
 constexpr std::size_t kCapturesAtOnce = 8;
 
-struct CapturedCloud {
-    Cloud cloud;
-    std::optional<StereoHealth> health;
-};
-
-/// Everything that is the same for every capture.
-struct CloudMaker {
-    const TurnRecording& recording;
-    const ComputeTurnSettings& settings;
-    std::optional<Rectifier> rectifier;
-    const Progress& progress;
-
-    Result<CapturedCloud> operator()(const RecordedCapture& capture) const {
-        return capture.load_images ? from_images(capture) : from_cloud(capture);
+std::vector<const RecordedCapture*> used_captures(const TurnRecording& recording) {
+    std::vector<const RecordedCapture*> used;
+    for (const RecordedCapture& capture : recording.captures) {
+        if (capture.used) used.push_back(&capture);
     }
-
-    Result<CapturedCloud> from_images(const RecordedCapture& capture) const {
-        auto frame = capture.load_images();
-        if (!frame) return forward_error(frame.error());
-        auto rectified = rectifier->rectify(*frame);
-        if (!rectified) return about(capture, rectified.error());
-        *frame = StereoFrame{};
-        StereoSettings stereo = settings.stereo;
-        stereo.crop_to_region = settings.crop;
-        // The captures run side by side; within one, everything runs in order.
-        auto result = stereo_cloud(*rectified, rectifier->rig(), recording.region, stereo,
-                                   Progress{progress.stop, {}}, for_each_in_order);
-        if (!result) return about(capture, result.error());
-        return CapturedCloud{std::move(result->cloud), result->health};
-    }
-
-    Result<CapturedCloud> from_cloud(const RecordedCapture& capture) const {
-        auto cloud = capture.load_cloud();
-        if (!cloud) return forward_error(cloud.error());
-        if (recording.region && settings.crop) *cloud = crop(*cloud, *recording.region);
-        return CapturedCloud{std::move(*cloud), std::nullopt};
-    }
-
-    static tl::unexpected<Error> about(const RecordedCapture& capture, Error error) {
-        if (error.kind != ErrorKind::kCancelled) {
-            error.message = fmt::format("capture {}: {}", capture.index, error.message);
-        }
-        return forward_error(std::move(error));
-    }
-};
-
-Result<CloudMaker> cloud_maker(const TurnRecording& recording, const ComputeTurnSettings& settings,
-                               const Progress& progress) {
-    CloudMaker maker{recording, settings, std::nullopt, progress};
-    const bool has_images =
-        std::any_of(recording.captures.begin(), recording.captures.end(),
-                    [](const RecordedCapture& c) { return c.used && c.load_images; });
-    if (!has_images) return maker;
-    if (!recording.rig) return input_error("the captures are images, but there is no stereo rig");
-    auto rectifier = Rectifier::create(*recording.rig);
-    if (!rectifier) return forward_error(rectifier.error());
-    maker.rectifier.emplace(std::move(*rectifier));
-    return maker;
+    return used;
 }
 
-Result<std::vector<CapturedCloud>> make_clouds(const CloudMaker& make,
-                                               const std::vector<std::size_t>& used,
-                                               const Progress& progress, const ForEach& for_each) {
-    std::vector<Result<CapturedCloud>> made(used.size(), cancelled_error());
+Status add_all(TurnWorkspace& workspace, const std::vector<const RecordedCapture*>& used,
+               const Progress& progress, const ForEach& for_each) {
     std::atomic<std::size_t> done{0};
     progress.tell("stereo", 0, used.size());
     for (std::size_t begin = 0; begin < used.size(); begin += kCapturesAtOnce) {
-        for_each(std::min(kCapturesAtOnce, used.size() - begin), [&](std::size_t i) {
+        const std::size_t count = std::min(kCapturesAtOnce, used.size() - begin);
+        std::vector<Result<PreparedCapture>> made;
+        for (std::size_t i = 0; i < count; ++i) made.emplace_back(cancelled_error());
+        for_each(count, [&](std::size_t i) {
             if (progress.cancelled()) return;
-            made[begin + i] = make(make.recording.captures[used[begin + i]]);
+            // The captures run side by side; within one, everything runs in order.
+            made[i] = workspace.prepare(*used[begin + i], progress, for_each_in_order);
             progress.tell("stereo", ++done, used.size());
         });
         // In order, so that the same capture is named whatever the threads did.
-        for (std::size_t i = begin; i < std::min(begin + kCapturesAtOnce, used.size()); ++i) {
-            if (!made[i]) return forward_error(made[i].error());
+        for (auto& one : made) {
+            if (!one) return forward_error(std::move(one.error()));
+            workspace.insert(std::move(*one));
         }
     }
-    std::vector<CapturedCloud> clouds;
-    for (auto& one : made) clouds.push_back(std::move(*one));
-    // One view without points costs its steps; a recording without any is not the one meant.
-    if (std::all_of(clouds.begin(), clouds.end(),
-                    [](const CapturedCloud& c) { return c.cloud.empty(); })) {
-        return input_error(
-            "no capture has points in the registration area; check region, light and the camera's "
-            "range");
-    }
-    return clouds;
-}
-
-TurnView view_of(const RecordedCapture& capture, Cloud cloud) {
-    TurnView view;
-    view.index = capture.index;
-    view.cloud = std::move(cloud);
-    view.commanded_rad = capture.commanded_rad;
-    view.joint6_rad = capture.joint6_rad;
-    view.joint6_after_rad = capture.joint6_after_rad;
-    view.other_joints_rad = capture.other_joints_rad;
-    view.attempts = capture.attempts;
-    return view;
+    return {};
 }
 
 }  // namespace
@@ -117,37 +47,21 @@ TurnView view_of(const RecordedCapture& capture, Cloud cloud) {
 Result<ComputedTurn> compute_turn(const TurnRecording& recording,
                                   const ComputeTurnSettings& settings, const Progress& progress,
                                   const ForEach& for_each) {
-    std::vector<std::size_t> used;
-    for (std::size_t i = 0; i < recording.captures.size(); ++i) {
-        if (recording.captures[i].used) used.push_back(i);
-    }
+    const auto used = used_captures(recording);
     if (used.size() < 2) {
         return input_error("a turn needs at least two used captures, there {} {}",
                            used.size() == 1 ? "is" : "are", used.size());
     }
-    const auto maker = cloud_maker(recording, settings, progress);
-    if (!maker) return forward_error(maker.error());
-    auto clouds = make_clouds(*maker, used, progress, for_each);
-    if (!clouds) return forward_error(clouds.error());
-
-    ComputedTurn computed;
-    computed.health.resize(recording.captures.size());
-    std::vector<TurnView> views;
-    for (std::size_t k = 0; k < used.size(); ++k) {
-        views.push_back(view_of(recording.captures[used[k]], std::move((*clouds)[k].cloud)));
-        computed.health[used[k]] = (*clouds)[k].health;
+    const bool images = std::any_of(used.begin(), used.end(), [](const RecordedCapture* capture) {
+        return static_cast<bool>(capture->load_images);
+    });
+    auto workspace =
+        TurnWorkspace::create(images ? recording.rig : std::nullopt, recording.region, settings);
+    if (!workspace) return forward_error(std::move(workspace.error()));
+    if (Status s = add_all(*workspace, used, progress, for_each); !s) {
+        return forward_error(std::move(s.error()));
     }
-    clouds->clear();
-    auto report = solve_turn(views, settings.turn, progress, for_each);
-    if (!report) return forward_error(report.error());
-
-    std::vector<std::optional<Pose>> poses(recording.captures.size());
-    for (std::size_t k = 0; k < used.size() && k < report->poses.size(); ++k) {
-        poses[used[k]] = report->poses[k];
-    }
-    report->poses = std::move(poses);
-    computed.report = std::move(*report);
-    return computed;
+    return workspace->solve(recording.captures, progress, for_each);
 }
 
 }  // namespace gripscan

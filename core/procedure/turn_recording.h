@@ -12,7 +12,7 @@
 #include "core/cloud/cloud.h"
 #include "core/geometry/box.h"
 #include "core/geometry/stereo_rig.h"
-#include "core/registration/turn_report.h"
+#include "core/registration/verdict.h"
 
 namespace gripscan {
 
@@ -22,12 +22,12 @@ struct RecordedCapture {
     int index = 0;
     bool used = true;
     int attempts = 1;
-    TurnMode mode = TurnMode::kFree;  ///< of the step that leads to this capture
-    std::string note;                 ///< accepted by the operator with it; empty: not
     std::optional<double> commanded_rad;     ///< turn since the first capture
     std::optional<double> joint6_rad;        ///< before the exposure
     std::optional<double> joint6_after_rad;  ///< after it
     std::optional<std::array<double, 5>> other_joints_rad;
+    TurnMode mode = TurnMode::kFree;  ///< of the step that leads to this capture
+    std::string note;                 ///< the operator overrules that step's verdict; empty: not
     std::function<Result<StereoFrame>()> load_images;
     std::function<Result<Cloud>()> load_cloud;
 };

@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "core/cloud/cloud.h"
 #include "core/geometry/pose.h"
-#include "core/registration/turn_report.h"
+#include "core/registration/verdict.h"
 
 namespace gripscan {
 
@@ -36,6 +36,7 @@ struct Alignment {
     double rms_m = 0.0;    ///< of the inliers, along the normal
     double median_m = 0.0;
     double p90_m = 0.0;
+    double misfit = 0.0;  ///< size of all residuals over that predicted from the noise
     /// Covariance of [ω; v] (rad, m) about the centroid of the matched points, target frame.
     Matrix6d covariance = Matrix6d::Zero();
     Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();

@@ -162,19 +162,21 @@ void judge_alone(Alignment& a, const AlignSettings& settings) {
 
 }  // namespace
 
-Alignment finish_alignment(const Surface& source, const Surface& target, const Pose& start,
-                           const AlignSettings& settings) {
+namespace {
+
+/// Points of the final estimate: where texture ties the motion down, shape needs fewer beside it.
+std::size_t fine_points(const Surface& source, const Surface& target,
+                        const AlignSettings& settings) {
+    const bool textured = source.texture && target.texture;
+    return textured ? settings.fine_points / 3 : settings.fine_points;
+}
+
+Alignment measured(const Surface& source, const Surface& target, const Samples& samples,
+                   const Pose& T) {
     const double radius_m = std::max(source.radius_m, target.radius_m);
     const double gate_m = narrow_gate_m(source, target);
-    const bool textured = source.texture && target.texture;
-    // Where texture ties the motion down, shape needs fewer points beside it.
-    const std::size_t points = textured ? settings.fine_points / 3 : settings.fine_points;
-    const auto source_fine = spread_sample(source, points);
-    const auto target_fine = spread_sample(target, points);
-    const Samples samples{source_fine, target_fine};
     Alignment a;
-    a.T_target_source =
-        polish(source, target, samples, refine_finely(source, target, samples, start), gate_m);
+    a.T_target_source = T;
     a.found = true;
     const auto matches = match(source, target, samples, a.T_target_source, {.gate_m = gate_m});
     const Eigen::Vector3d turn = rotation_vector(a.T_target_source.linear());
@@ -197,10 +199,32 @@ Alignment finish_alignment(const Surface& source, const Surface& target, const P
     a.rms_m = residuals.rms_m;
     a.median_m = residuals.median_m;
     a.p90_m = residuals.p90_m;
-    a.overlap = agreement(source, target, nullptr, nullptr, source_fine, target_fine,
+    a.misfit = residuals.over_noise;
+    a.overlap = agreement(source, target, nullptr, nullptr, samples.source, samples.target,
                           a.T_target_source, gate_m)
                     .matched;
     return a;
+}
+
+}  // namespace
+
+Alignment finish_alignment(const Surface& source, const Surface& target, const Pose& start,
+                           const AlignSettings& settings) {
+    const std::size_t points = fine_points(source, target, settings);
+    const auto source_fine = spread_sample(source, points);
+    const auto target_fine = spread_sample(target, points);
+    const Samples samples{source_fine, target_fine};
+    const Pose shape = refine_finely(source, target, samples, start);
+    return measured(source, target, samples,
+                    polish(source, target, samples, shape, narrow_gate_m(source, target)));
+}
+
+Alignment alignment_at(const Surface& source, const Surface& target, const Pose& T_target_source,
+                       const AlignSettings& settings) {
+    const std::size_t points = fine_points(source, target, settings);
+    const auto source_fine = spread_sample(source, points);
+    const auto target_fine = spread_sample(target, points);
+    return measured(source, target, {source_fine, target_fine}, T_target_source);
 }
 
 namespace {

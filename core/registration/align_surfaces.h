@@ -15,4 +15,8 @@ namespace gripscan {
 [[nodiscard]] Alignment finish_alignment(const Surface& source, const Surface& target,
                                          const Pose& start, const AlignSettings& settings);
 
+/// The same for a pose that is given and kept: how well the surfaces fit there.
+[[nodiscard]] Alignment alignment_at(const Surface& source, const Surface& target,
+                                     const Pose& T_target_source, const AlignSettings& settings);
+
 }  // namespace gripscan

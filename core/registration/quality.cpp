@@ -10,6 +10,9 @@
 namespace gripscan {
 namespace {
 
+/// Median of |x| for x with standard deviation 1.
+constexpr double kMedianOfNormal = 0.6745;
+
 double quantile(std::vector<double>& values, double share) {
     const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + k, values.end());
@@ -41,15 +44,17 @@ Cube cube_of(const Eigen::Vector3f& p, double edge_m) {
 
 ResidualStatistics residual_statistics(const std::vector<Match>& matches) {
     std::vector<double> size_m;
+    std::vector<double> over_noise;
     double squares = 0.0;
     for (const Match& m : matches) {
+        over_noise.push_back(std::abs(m.residual_m) / m.sigma_m);
         if (m.weight <= 0.0F) continue;
         size_m.push_back(std::abs(m.residual_m));
         squares += size_m.back() * size_m.back();
     }
     if (size_m.empty()) return {};
     return {std::sqrt(squares / static_cast<double>(size_m.size())), quantile(size_m, 0.5),
-            quantile(size_m, 0.9)};
+            quantile(size_m, 0.9), quantile(over_noise, 0.5) / kMedianOfNormal};
 }
 
 Matrix6d motion_covariance(const std::vector<ResidualRow>& rows, double patch_m) {

@@ -13,6 +13,8 @@ struct ResidualStatistics {
     double rms_m = 0.0;  ///< of the matches that are no outliers, along the normal
     double median_m = 0.0;
     double p90_m = 0.0;
+    /// Median of all residuals, outliers too, over that predicted from the noise of their points.
+    double over_noise = 0.0;
 };
 [[nodiscard]] ResidualStatistics residual_statistics(const std::vector<Match>& matches);
 

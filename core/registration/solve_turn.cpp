@@ -4,8 +4,10 @@
 #include <atomic>
 
 #include "core/registration/align_surfaces.h"
+#include "core/registration/axis_lock.h"
+#include "core/registration/common_cause.h"
+#include "core/registration/diagnosed_step.h"
 #include "core/registration/merge.h"
-#include "core/registration/turn_check.h"
 #include "core/registration/turn_poses.h"
 #include "core/registration/turn_rows.h"
 #include "core/registration/view_chain.h"
@@ -18,108 +20,71 @@ constexpr std::size_t kLongestGap = 3;
 
 /// What all parts of the solution need.
 struct Turn {
-    std::span<const TurnView> views;
+    const PreparedTurn& given;
     const TurnSettings& settings;
     const Progress& progress;
     const ForEach& for_each;
-    std::vector<Surface> surfaces;
-    std::vector<std::string> flaws;     ///< why a view has no surface; empty: it has one
-    std::vector<Alignment> alignments;  ///< of view i onto view i + 1
+    std::vector<std::optional<ImageFault>> faults;  ///< of each view's images
+
+    [[nodiscard]] std::size_t size() const { return given.views.size(); }
+    [[nodiscard]] StepEnd end(std::size_t k) const {
+        return {given.facts[k], *given.views[k], faults[k]};
+    }
 };
 
-Status prepare_surfaces(Turn& turn) {
-    std::vector<Result<Surface>> made;
-    made.reserve(turn.views.size());
-    for (std::size_t k = 0; k < turn.views.size(); ++k) made.emplace_back(cancelled_error());
-    turn.for_each(turn.views.size(),
-                  [&](std::size_t k) { made[k] = make_surface(turn.views[k].cloud); });
-    std::size_t usable = 0;
-    for (std::size_t k = 0; k < made.size(); ++k) {
-        turn.flaws.push_back(made[k] ? "" : made[k].error().message);
-        turn.surfaces.push_back(made[k] ? std::move(*made[k]) : Surface{});
-        if (turn.flaws[k].empty()) ++usable;
-    }
-    if (usable < 2) {
-        return input_error("{} of {} captures have enough points; capture {}: {}", usable,
-                           made.size(), turn.views.front().index,
-                           turn.flaws.front().empty() ? turn.flaws.back() : turn.flaws.front());
-    }
-    return {};
-}
-
-/// Views that are too poor to register are no error of the recording: the steps they take part in
-/// are rejected.
-std::optional<Alignment> without_alignment(const Turn& turn, std::size_t from, std::size_t to) {
-    for (const std::size_t k : {from, to}) {
-        if (turn.flaws[k].empty()) continue;
-        Alignment none;
-        none.cause = Cause::kTexture;
-        none.sentence = fmt::format("capture {}: {}; no texture, no light, or nothing there",
-                                    turn.views[k].index, turn.flaws[k]);
-        return none;
-    }
-    return std::nullopt;
-}
-
-Result<Alignment> align_views(const Turn& turn, std::size_t from, std::size_t to,
-                              const ForEach& inner) {
-    if (auto none = without_alignment(turn, from, to)) return std::move(*none);
-    if (turn.settings.method == TurnMethod::kPaperIcp) {
-        return align_paper_icp(turn.views[from].cloud, turn.views[to].cloud,
-                               turn.settings.paper_icp);
-    }
-    return align_surfaces(turn.surfaces[from], turn.surfaces[to], turn.settings.align,
-                          turn.progress, inner);
-}
-
-Status align_steps(Turn& turn) {
-    const std::size_t steps = turn.views.size() - 1;
-    std::vector<Result<Alignment>> results(steps, cancelled_error());
-    std::atomic<std::size_t> done = 0;
-    turn.for_each(steps, [&](std::size_t i) {
-        if (turn.progress.cancelled()) return;
-        results[i] = align_views(turn, i, i + 1, for_each_in_order);
-        turn.progress.tell("registration", ++done, steps);
-    });
-    for (auto& result : results) {
-        if (!result) return forward_error(std::move(result.error()));
-        turn.alignments.push_back(std::move(*result));
-    }
-    return {};
+Status check_usable(const PreparedTurn& turn) {
+    const auto usable = std::count_if(turn.views.begin(), turn.views.end(),
+                                      [](const PreparedView* view) { return view->usable(); });
+    if (usable >= 2) return {};
+    const std::string& first = turn.views.front()->flaw;
+    return input_error("{} of {} captures have enough points; capture {}: {}", usable,
+                       turn.views.size(), turn.facts.front().index,
+                       first.empty() ? turn.views.back()->flaw : first);
 }
 
 /// Middle of what all views show: the part turns in place.
-Eigen::Vector3d centre_of(const std::vector<Surface>& surfaces) {
+Eigen::Vector3d centre_of(std::span<const PreparedView* const> views) {
     Eigen::Vector3d sum_m = Eigen::Vector3d::Zero();
     double count = 0.0;
-    for (const Surface& s : surfaces) {
-        if (s.size() == 0) continue;
-        sum_m += s.centre_m;
+    for (const PreparedView* view : views) {
+        if (view->surface.size() == 0) continue;
+        sum_m += view->surface.centre_m;
         count += 1.0;
     }
     return sum_m / count;
 }
 
-/// Table 1, judged; the operator's notes overrule.
-void fill_rows(const Turn& turn, TurnReport& report) {
-    for (std::size_t i = 0; i < turn.alignments.size(); ++i) {
-        report.steps.push_back(
-            step_row(turn.views[i], turn.views[i + 1], turn.alignments[i], turn.settings.method));
-        report.steps.back().index = static_cast<int>(i) + 1;
+/// The common axis: that of the free steps; where steps are locked, what all views say together.
+Status find_axis(const Turn& turn, TurnReport& report) {
+    std::vector<TurnStep> rows;
+    for (std::size_t i = 0; i + 1 < turn.size(); ++i) {
+        rows.push_back(
+            measured_step(turn.end(i), turn.end(i + 1), turn.given.steps[i], turn.settings));
     }
     const StepsAxis axis =
-        axis_from_steps(report.steps, turn.settings.axis_hint, centre_of(turn.surfaces));
+        axis_from_steps(rows, turn.settings.axis_hint, centre_of(turn.given.views));
     report.axis = axis.estimate;
     report.sign_source = axis.sign_source;
-    for (std::size_t i = 0; i < report.steps.size(); ++i) {
-        TurnStep& step = report.steps[i];
-        judge_row(step, turn.views[i], turn.views[i + 1], turn.alignments[i], axis.estimate,
-                  turn.settings);
-        const std::string& note = turn.views[i + 1].note;
-        if (!note.empty() && step.T && step.verdict != Verdict::kAccept) {
-            step.verdict = Verdict::kAcceptNoted;
-            step.sentence += "; accepted with note: " + note;
-        }
+    if (turn.settings.method != TurnMethod::kTurn || !any_locked(turn.given.facts)) return {};
+    auto locked = axis_for_lock(turn.given.facts, turn.given.views, axis.estimate, turn.settings,
+                                turn.progress, turn.for_each);
+    if (!locked) return forward_error(std::move(locked.error()));
+    report.axis = *locked;
+    return {};
+}
+
+/// Table 1, judged.
+void fill_rows(const Turn& turn, TurnReport& report) {
+    std::vector<DiagnosedStep> judged(turn.size() - 1);
+    turn.for_each(judged.size(), [&](std::size_t i) {
+        if (turn.progress.cancelled()) return;
+        judged[i] = diagnosed_step(turn.end(i), turn.end(i + 1), turn.given.steps[i], report.axis,
+                                turn.settings);
+        judged[i].step.index = static_cast<int>(i) + 1;
+    });
+    for (DiagnosedStep& one : judged) {
+        report.steps.push_back(std::move(one.step));
+        report.evidence.push_back(std::move(one.evidence));
     }
 }
 
@@ -127,12 +92,17 @@ void fill_rows(const Turn& turn, TurnReport& report) {
 bool bridge_holds(const Turn& turn, const std::optional<AxisEstimate>& axis, std::size_t from,
                   std::size_t to) {
     if (!axis || turn.progress.cancelled()) return false;
-    const auto alignment = align_views(turn, from, to, turn.for_each);
-    if (!alignment || !alignment->found) return false;
-    TurnStep step = step_row(turn.views[from], turn.views[to], *alignment, turn.settings.method);
-    if (!reported_rad(step)) return false;
-    judge_row(step, turn.views[from], turn.views[to], *alignment, axis, turn.settings);
-    return step.verdict == Verdict::kAccept;
+    const auto alignment =
+        align_views(turn.given.facts[from], *turn.given.views[from], turn.given.facts[to],
+                    *turn.given.views[to], turn.settings, turn.progress, turn.for_each);
+    if (!alignment) return false;
+    StepFinding finding{*alignment, std::nullopt};
+    if (turn.given.camera_shift) finding.camera_shift = turn.given.camera_shift(from, to);
+    const TurnStep step =
+        diagnosed_step(turn.end(from), turn.end(to), finding, axis, turn.settings).step;
+    if (!step.T || !reported_rad(step)) return false;
+    return step.verdict == Verdict::kAccept ||
+           (step.mode == TurnMode::kAxisLocked && step.verdict == Verdict::kCheck);
 }
 
 ViewChain link(const Turn& turn, const TurnReport& report) {
@@ -146,10 +116,12 @@ ViewChain link(const Turn& turn, const TurnReport& report) {
 /// Steps into and out of a view that was bridged over: that capture is what does not fit.
 void name_contradicted(const Turn& turn, const ViewChain& chain, TurnReport& report) {
     for (const std::size_t v : chain.bridged) {
-        const int index = turn.views[v].index;
-        for (TurnStep& step : report.steps) {
+        const int index = turn.given.facts[v].index;
+        for (std::size_t i = 0; i < report.steps.size(); ++i) {
+            TurnStep& step = report.steps[i];
             if (step.from != index && step.to != index) continue;
             if (step.verdict != Verdict::kReject || step.cause != Cause::kMislabelled) continue;
+            if (report.evidence[i].foreign_object) continue;
             step.sentence +=
                 fmt::format("; capture {} does not fit, the views around it do", index);
         }
@@ -159,13 +131,13 @@ void name_contradicted(const Turn& turn, const ViewChain& chain, TurnReport& rep
 void merge(const Turn& turn, TurnReport& report) {
     std::vector<PosedView> posed;
     std::vector<Cloud> completed;
-    completed.reserve(turn.views.size());
-    for (std::size_t k = 0; k < turn.views.size(); ++k) {
+    completed.reserve(turn.size());
+    for (std::size_t k = 0; k < turn.size(); ++k) {
         if (!report.poses[k]) continue;
-        const Cloud* cloud = &turn.views[k].cloud;
+        const Cloud* cloud = &turn.given.views[k]->cloud;
         if (!cloud->has_normals()) {
             completed.push_back(*cloud);
-            completed.back().normals = turn.surfaces[k].normals;
+            completed.back().normals = turn.given.views[k]->surface.normals;
             cloud = &completed.back();
         }
         posed.push_back({cloud, *report.poses[k]});
@@ -176,31 +148,37 @@ void merge(const Turn& turn, TurnReport& report) {
 
 }  // namespace
 
-Result<TurnReport> solve_turn(std::span<const TurnView> views, const TurnSettings& settings,
-                              const Progress& progress, const ForEach& for_each) {
-    if (views.size() < 2) {
-        return input_error("{} used captures; a turn needs at least 2", views.size());
+Result<Alignment> align_views(const CaptureFacts& from_facts, const PreparedView& from,
+                              const CaptureFacts& to_facts, const PreparedView& to,
+                              const TurnSettings& settings, const Progress& progress,
+                              const ForEach& for_each) {
+    if (auto none = without_alignment(from_facts, from)) return std::move(*none);
+    if (auto none = without_alignment(to_facts, to)) return std::move(*none);
+    if (settings.method == TurnMethod::kPaperIcp) {
+        return align_paper_icp(from.cloud, to.cloud, settings.paper_icp);
     }
-    Turn turn{.views = views,
-              .settings = settings,
-              .progress = progress,
-              .for_each = for_each,
-              .surfaces = {},
-              .flaws = {},
-              .alignments = {}};
-    if (Status s = prepare_surfaces(turn); !s) return forward_error(std::move(s.error()));
-    if (Status s = align_steps(turn); !s) return forward_error(std::move(s.error()));
+    if (to_facts.mode == TurnMode::kAxisLocked) return Alignment{};
+    return align_surfaces(from.surface, to.surface, settings.align, progress, for_each);
+}
 
+Result<TurnReport> finish_turn(const PreparedTurn& prepared, const TurnSettings& settings,
+                               const Progress& progress, const ForEach& for_each) {
+    if (Status s = check_usable(prepared); !s) return forward_error(std::move(s.error()));
+    const Turn turn{prepared, settings, progress, for_each, image_faults(prepared.views)};
     TurnReport report;
     report.limits = settings.limits;
+    if (Status s = find_axis(turn, report); !s) return forward_error(std::move(s.error()));
     fill_rows(turn, report);
+    if (progress.cancelled()) return cancelled_error();
     const ViewChain chain = link(turn, report);
     name_contradicted(turn, chain, report);
-    if (Status s = solve_poses(views, turn.surfaces, chain, settings, progress, for_each, report);
+    if (Status s = solve_poses(prepared.facts, prepared.views, chain, settings, progress, for_each,
+                               report);
         !s) {
         return forward_error(std::move(s.error()));
     }
-    find_common_cause(report.steps, settings.limits, report.angle_scale);
+    find_common_cause(report.steps, settings.limits, report.angle_scale,
+                      spans_whole_turn(settings.step_rad, report));
     if (progress.cancelled()) return cancelled_error();
     progress.tell("merging", 0, 1);
     merge(turn, report);
@@ -210,6 +188,33 @@ Result<TurnReport> solve_turn(std::span<const TurnView> views, const TurnSetting
     }
     set_closures(settings.step_rad, report);
     return report;
+}
+
+Result<TurnReport> solve_turn(std::span<const TurnView> views, const TurnSettings& settings,
+                              const Progress& progress, const ForEach& for_each) {
+    if (views.size() < 2) {
+        return input_error("{} used captures; a turn needs at least 2", views.size());
+    }
+    std::vector<PreparedView> prepared(views.size());
+    for_each(views.size(), [&](std::size_t k) { prepared[k] = prepare_view(views[k].cloud); });
+    PreparedTurn turn;
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        turn.facts.push_back(views[k]);
+        turn.views.push_back(&prepared[k]);
+    }
+    std::vector<Result<Alignment>> aligned(views.size() - 1, cancelled_error());
+    std::atomic<std::size_t> done = 0;
+    for_each(aligned.size(), [&](std::size_t i) {
+        if (progress.cancelled()) return;
+        aligned[i] = align_views(turn.facts[i], prepared[i], turn.facts[i + 1], prepared[i + 1],
+                                 settings, progress, for_each_in_order);
+        progress.tell("registration", ++done, aligned.size());
+    });
+    for (auto& one : aligned) {
+        if (!one) return forward_error(std::move(one.error()));
+        turn.steps.push_back({std::move(*one), std::nullopt});
+    }
+    return finish_turn(turn, settings, progress, for_each);
 }
 
 }  // namespace gripscan

@@ -1,42 +1,39 @@
 // The whole turn: every step registered and checked against the robot, the axis, the joint
-// solution, the template.
+// solution, the template. In one call, or piece by piece as the captures come.
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "core/registration/align.h"
-#include "core/registration/turn_report.h"
+#include "core/registration/step_finding.h"
+#include "core/registration/turn_settings.h"
+#include "core/registration/turn_view.h"
 
 namespace gripscan {
 
-/// One used capture.
-struct TurnView {
-    int index = 0;                           ///< as in captures.csv
-    Cloud cloud;                             ///< camera frame, cropped to the registration area
-    std::optional<double> commanded_rad;     ///< turn since the first capture
-    std::optional<double> joint6_rad;        ///< measured before the exposure
-    std::optional<double> joint6_after_rad;  ///< measured after it
-    /// J1 … J5, where they were read.
-    std::optional<std::array<double, 5>> other_joints_rad;
-    int attempts = 1;
-    std::string note;  ///< accepted by the operator against the verdict; empty: not
+/// The used captures in order with what has been made of them. Data belong to the caller.
+struct PreparedTurn {
+    std::vector<CaptureFacts> facts;
+    std::vector<const PreparedView*> views;  ///< one a capture
+    std::vector<StepFinding> steps;          ///< of view i onto view i + 1: one less
+    /// Camera shift between views that are not neighbours; may be empty: not known.
+    CameraShiftBetween camera_shift;
 };
 
-enum class TurnMethod { kTurn, kPaperIcp };
+/// View `from` onto view `to` by the method of the settings. A view with a flaw gives an alignment
+/// that was not found, with its reason. Error: cancelled.
+[[nodiscard]] Result<Alignment> align_views(const CaptureFacts& from_facts,
+                                            const PreparedView& from, const CaptureFacts& to_facts,
+                                            const PreparedView& to, const TurnSettings& settings,
+                                            const Progress& progress, const ForEach& for_each);
 
-struct TurnSettings {
-    TurnMethod method = TurnMethod::kTurn;
-    AlignSettings align;
-    PaperIcpSettings paper_icp;
-    TurnLimits limits;
-    double step_rad = 0.17453292519943295;     ///< nominal
-    std::optional<Eigen::Vector3d> axis_hint;  ///< direction of the positive turn
-    double voxel_m = 1.0e-3;                   ///< of the template
-    int min_seen = 2;                          ///< views that must have seen a template point
-};
+/// Rows, verdicts, axis, poses and template from what is there. `report.poses` has one entry per
+/// view, in order. Errors: fewer than two views with enough points to register, cancelled.
+[[nodiscard]] Result<TurnReport> finish_turn(const PreparedTurn& turn, const TurnSettings& settings,
+                                             const Progress& progress, const ForEach& for_each);
 
-/// `report.poses` has one entry per view, in order. Errors: fewer than two views, fewer than two
-/// with enough points to register, or cancelled. Bad steps and poor views are rows of the report.
+/// All at once. Errors: fewer than two views, and those of finish_turn. Bad steps and poor views
+/// are rows of the report.
 [[nodiscard]] Result<TurnReport> solve_turn(std::span<const TurnView> views,
                                             const TurnSettings& settings, const Progress& progress,
                                             const ForEach& for_each);

@@ -13,14 +13,8 @@
 namespace gripscan {
 namespace {
 
-/// Readings of a joint that stands still differ by less than this (encoder, rounding).
-constexpr double kJointStill_rad = 0.02 * kRadPerDeg;
 /// Scans that turned by less than this share of the reported angle show something that stands.
 constexpr double kStoodStill = 0.05;
-/// A limit may be missed by this factor before "check" becomes "reject".
-constexpr double kCheckFactor = 2.0;
-/// A ratio of angles this near 1 may be estimated and is no fault (contract).
-constexpr double kHarmlessRatio = 0.003;
 
 /// One limit: how far the value is from it (1 = on it), and how that reads.
 struct Criterion {
@@ -32,8 +26,7 @@ struct Criterion {
 Criterion angle_criterion(const TurnStep& step, const StepEvidence& evidence,
                           const TurnLimits& limits) {
     if (!step.error_rad) return {};
-    const double sigma = step.sigma_rad.value_or(0.0);
-    const double limit = std::max(limits.angle_rad, limits.sigmas * sigma);
+    const double limit = angle_limit_rad(step, limits);
     const double reported_rad = *step.icp_rad - *step.error_rad;
     const bool stood_still = std::abs(*step.icp_rad) < kStoodStill * std::abs(reported_rad);
     // Our estimate from many starts is not that wrong by itself: the capture is not what its label
@@ -71,6 +64,14 @@ Criterion tilt_criterion(const TurnStep& step, const TurnLimits& limits) {
                         deg_from_rad(*step.tilt_rad), deg_from_rad(limits.tilt_rad))};
 }
 
+Criterion misfit_criterion(const StepEvidence& evidence) {
+    if (!evidence.misfit) return {};
+    return {*evidence.misfit / kMostMisfit, Cause::kSymmetry,
+            fmt::format("locked to the axis, the surfaces miss each other by {:.1f} times their "
+                        "noise, limit {:.1f}: the part did not turn as the robot says",
+                        *evidence.misfit, kMostMisfit)};
+}
+
 bool reject(TurnStep& step, Cause cause, std::string sentence) {
     step.verdict = Verdict::kReject;
     step.cause = cause;
@@ -85,7 +86,8 @@ bool not_usable(TurnStep& step, const StepEvidence& evidence) {
                       evidence.why_not_found.empty() ? "no alignment of the two clouds was found"
                                                      : evidence.why_not_found);
     }
-    if (evidence.paper_icp) return false;
+    // Locked to the axis, the turn is the robot's: neither sigma nor observability are asked.
+    if (evidence.paper_icp || step.mode == TurnMode::kAxisLocked) return false;
     if (step.sigma_rad && !(*step.sigma_rad < kLargestSigma_rad)) {
         return reject(step, Cause::kNotConverged,
                       fmt::format("the turn is known to {:.1f} deg only, which decides nothing",
@@ -104,14 +106,26 @@ bool not_usable(TurnStep& step, const StepEvidence& evidence) {
     return false;
 }
 
+void say_locked(TurnStep& step, const StepEvidence& evidence) {
+    step.cause = Cause::kSymmetry;
+    step.sentence = fmt::format(
+        "locked to the axis: the robot's {:.3f} deg repeated, not measured; the surfaces fit under "
+        "it to {:.1f} times their noise, limit {:.1f}",
+        deg_from_rad(step.icp_rad.value_or(0.0)), evidence.misfit.value_or(0.0), kMostMisfit);
+}
+
 }  // namespace
+
+double angle_limit_rad(const TurnStep& step, const TurnLimits& limits) {
+    return std::max(limits.angle_rad, limits.sigmas * step.sigma_rad.value_or(0.0));
+}
 
 void judge_step(TurnStep& step, const StepEvidence& evidence, const TurnLimits& limits) {
     step.cause = Cause::kNone;
     if (not_usable(step, evidence)) return;
-    const std::array<Criterion, 4> criteria{
+    const std::array<Criterion, 5> criteria{
         angle_criterion(step, evidence, limits), overlap_criterion(step, limits),
-        slip_criterion(step, limits), tilt_criterion(step, limits)};
+        slip_criterion(step, limits), tilt_criterion(step, limits), misfit_criterion(evidence)};
     const Criterion& worst = *std::max_element(
         criteria.begin(), criteria.end(),
         [](const Criterion& a, const Criterion& b) { return a.excess < b.excess; });
@@ -124,6 +138,7 @@ void judge_step(TurnStep& step, const StepEvidence& evidence, const TurnLimits& 
     }
     if (worst.excess <= 1.0) {
         step.verdict = Verdict::kCheck;
+        if (step.mode == TurnMode::kAxisLocked) return say_locked(step, evidence);
         step.sentence = "agrees with the robot, but was not found independently of it";
         return;
     }
@@ -143,55 +158,6 @@ void judge_step(TurnStep& step, const StepEvidence& evidence, const TurnLimits& 
         step.cause = Cause::kSettle;
         step.sentence = fmt::format("joint 6 moved by {:.3f} deg during the exposure; {}",
                                     deg_from_rad(evidence.joint6_moved_rad), worst.sentence);
-    }
-}
-
-void find_common_cause(std::span<TurnStep> steps, const TurnLimits& limits,
-                       std::optional<double> scale) {
-    double icp = 0.0;
-    double robot = 0.0;
-    std::size_t counted = 0;
-    for (const TurnStep& step : steps) {
-        if (!step.icp_rad || !step.error_rad || step.cause == Cause::kSymmetry) continue;
-        icp += *step.icp_rad;
-        robot += *step.icp_rad - *step.error_rad;
-        ++counted;
-    }
-    if (counted < 3 || std::abs(robot) < 1e-6) return;
-    const double ratio = icp / robot;
-    const auto explained_by = [&](double r) {
-        std::size_t n = 0;
-        for (const TurnStep& step : steps) {
-            if (!step.icp_rad || !step.error_rad) continue;
-            const double reported = *step.icp_rad - *step.error_rad;
-            const double limit =
-                std::max(limits.angle_rad, limits.sigmas * step.sigma_rad.value_or(0.0));
-            if (std::abs(*step.icp_rad - r * reported) <= limit) ++n;
-        }
-        return n * 10 >= counted * 9;
-    };
-    if (ratio < 0.0 && explained_by(-1.0)) {
-        for (TurnStep& step : steps) {
-            if (!step.error_rad) continue;
-            reject(step, Cause::kSign,
-                   fmt::format("scans turned by {:+.3f} deg, robot by {:+.3f} deg, and so in every "
-                               "step: the joint's direction is the other way round",
-                               deg_from_rad(*step.icp_rad),
-                               deg_from_rad(*step.icp_rad - *step.error_rad)));
-        }
-        return;
-    }
-    const bool by_steps =
-        ratio > kStoodStill && std::abs(ratio - 1.0) > 0.05 && explained_by(ratio);
-    const bool by_joint = scale && std::abs(*scale - 1.0) > kHarmlessRatio;
-    if (!by_steps && !by_joint) return;
-    const double shown = by_joint ? *scale : ratio;
-    for (TurnStep& step : steps) {
-        if (!step.error_rad || step.cause == Cause::kSymmetry) continue;
-        if (step.verdict == Verdict::kAccept) step.verdict = Verdict::kCheck;
-        step.cause = Cause::kRatio;
-        step.sentence = fmt::format("every turn is {:.4f} times what the robot reports; {}", shown,
-                                    step.sentence);
     }
 }
 

@@ -1,10 +1,10 @@
 #include "core/registration/turn_poses.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/base/units.h"
-#include "core/registration/joint_solution.h"
 #include "core/registration/turn_rows.h"
 
 namespace gripscan {
@@ -22,35 +22,6 @@ Pose composed(const TurnReport& report, std::size_t first, std::size_t last) {
         if (report.steps[i].T) T = *report.steps[i].T * T;
     }
     return T;
-}
-
-/// The turn of every trusted view since the first of them as reported; where nothing was reported,
-/// as the scans say, loosely held.
-std::vector<JointView> joint_views(std::span<const TurnView> views,
-                                   std::span<const Surface> surfaces, const ViewChain& chain,
-                                   const TurnReport& report) {
-    std::vector<JointView> result;
-    double angle_rad = 0.0;
-    for (std::size_t k = 0; k < chain.trusted.size(); ++k) {
-        const std::size_t v = chain.trusted[k];
-        double sigma_rad = kReadingSigma_rad;
-        if (k > 0) {
-            const std::size_t before = chain.trusted[k - 1];
-            const auto joint = difference(joint6_rad(views[before]), joint6_rad(views[v]));
-            const auto command = difference(views[before].commanded_rad, views[v].commanded_rad);
-            if (joint || command) {
-                angle_rad += joint ? *joint : *command;
-                if (!joint) sigma_rad = kCommandSigma_rad;
-            } else {
-                for (std::size_t i = before; i < v; ++i) {
-                    angle_rad += report.steps[i].icp_rad.value_or(0.0);
-                }
-                sigma_rad = kUnknownSigma_rad;
-            }
-        }
-        result.push_back({&surfaces[v], angle_rad, sigma_rad});
-    }
-    return result;
 }
 
 std::vector<Pose> chained_poses(const ViewChain& chain, const TurnReport& report) {
@@ -81,14 +52,42 @@ std::optional<double> whole_turn_rad(const TurnReport& report, double step_rad) 
 
 }  // namespace
 
-Status solve_poses(std::span<const TurnView> views, std::span<const Surface> surfaces,
+std::vector<JointView> joint_views(std::span<const CaptureFacts> facts,
+                                   std::span<const PreparedView* const> views,
+                                   std::span<const std::size_t> members,
+                                   std::span<const TurnStep> steps) {
+    std::vector<JointView> result;
+    double angle_rad = 0.0;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const std::size_t v = members[k];
+        double sigma_rad = kReadingSigma_rad;
+        if (k > 0) {
+            const std::size_t before = members[k - 1];
+            const auto joint = difference(joint6_rad(facts[before]), joint6_rad(facts[v]));
+            const auto command = difference(facts[before].commanded_rad, facts[v].commanded_rad);
+            if (joint || command) {
+                angle_rad += joint ? *joint : *command;
+                if (!joint) sigma_rad = kCommandSigma_rad;
+            } else {
+                for (std::size_t i = before; i < std::min(v, steps.size()); ++i) {
+                    angle_rad += steps[i].icp_rad.value_or(0.0);
+                }
+                sigma_rad = kUnknownSigma_rad;
+            }
+        }
+        result.push_back({&views[v]->surface, angle_rad, sigma_rad});
+    }
+    return result;
+}
+
+Status solve_poses(std::span<const CaptureFacts> facts, std::span<const PreparedView* const> views,
                    const ViewChain& chain, const TurnSettings& settings, const Progress& progress,
                    const ForEach& for_each, TurnReport& report) {
     std::vector<Pose> T_view_chain = chained_poses(chain, report);
     const bool jointly =
         settings.method == TurnMethod::kTurn && report.axis && chain.trusted.size() > 2;
     if (jointly) {
-        auto solution = solve_jointly(joint_views(views, surfaces, chain, report),
+        auto solution = solve_jointly(joint_views(facts, views, chain.trusted, report.steps),
                                       report.axis->axis, {}, progress, for_each);
         if (!solution) return forward_error(std::move(solution.error()));
         report.axis = solution->axis;
@@ -102,6 +101,10 @@ Status solve_poses(std::span<const TurnView> views, std::span<const Surface> sur
         report.poses[chain.trusted[k]] = (T_view_chain[k] * T_chain_first).inverse();
     }
     return {};
+}
+
+bool spans_whole_turn(double step_rad, const TurnReport& report) {
+    return whole_turn_rad(report, step_rad).has_value();
 }
 
 void set_closures(double step_rad, TurnReport& report) {

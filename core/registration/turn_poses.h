@@ -5,20 +5,31 @@
 #include "core/base/for_each.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/registration/solve_turn.h"
-#include "core/registration/surface.h"
+#include "core/registration/joint_solution.h"
 #include "core/registration/turn_report.h"
+#include "core/registration/turn_settings.h"
+#include "core/registration/turn_view.h"
 #include "core/registration/view_chain.h"
 
 namespace gripscan {
 
+/// The turn of every member (places among the views, rising) since the first of them as reported;
+/// where nothing was reported, as the steps say, loosely held.
+[[nodiscard]] std::vector<JointView> joint_views(std::span<const CaptureFacts> facts,
+                                                 std::span<const PreparedView* const> views,
+                                                 std::span<const std::size_t> members,
+                                                 std::span<const TurnStep> steps);
+
 /// Sets report.poses (relative to the first used capture, nothing where a view is not trusted);
 /// with more than two trusted views and an axis, solves jointly and replaces report.axis, and sets
 /// report.angle_scale where the data ask for one. Error: cancelled.
-[[nodiscard]] Status solve_poses(std::span<const TurnView> views, std::span<const Surface> surfaces,
-                                 const ViewChain& chain, const TurnSettings& settings,
-                                 const Progress& progress, const ForEach& for_each,
-                                 TurnReport& report);
+[[nodiscard]] Status solve_poses(std::span<const CaptureFacts> facts,
+                                 std::span<const PreparedView* const> views, const ViewChain& chain,
+                                 const TurnSettings& settings, const Progress& progress,
+                                 const ForEach& for_each, TurnReport& report);
+
+/// Do the steps make a whole turn, to half a step?
+[[nodiscard]] bool spans_whole_turn(double step_rad, const TurnReport& report);
 
 /// Closure of the steps and of the poses where the steps make a whole turn to half a step. Shifts
 /// are those of the axis point of the report.

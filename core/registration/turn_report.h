@@ -2,55 +2,17 @@
 // turns.csv and the report show, in the units of the code (m, rad).
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/cloud/cloud.h"
 #include "core/geometry/axis.h"
 #include "core/geometry/pose.h"
+#include "core/registration/step_evidence.h"
+#include "core/registration/verdict.h"
 
 namespace gripscan {
-
-enum class Verdict { kAccept, kCheck, kReject, kAcceptNoted };
-enum class Cause {
-    kNone,
-    kOverlap,
-    kSymmetry,
-    kTexture,
-    kExposure,
-    kSettle,
-    kWrongJoint,
-    kRatio,
-    kBacklash,
-    kSign,
-    kSlip,
-    kLoose,
-    kMovedCamera,
-    kMislabelled,
-    kDepthDistortion,
-    kNotConverged,
-    kLink,
-};
-enum class TurnMode { kFree, kPrior, kAxisLocked };
-enum class SignSource { kAxisHint, kJoint, kAssumed };
-
-/// The words of the contract: "accept", "wrong_joint", "axis-locked", …
-[[nodiscard]] std::string_view word(Verdict verdict);
-[[nodiscard]] std::string_view word(Cause cause);
-[[nodiscard]] std::string_view word(TurnMode mode);
-[[nodiscard]] std::string_view word(SignSource source);
-
-/// Limits of a step, with the defaults of the contract.
-struct TurnLimits {
-    double angle_rad = 0.5 * 0.017453292519943295;
-    double sigmas = 3.0;
-    double overlap = 0.4;
-    double slip_m = 1.0e-3;
-    double tilt_rad = 2.0 * 0.017453292519943295;
-};
 
 /// One row of Table 1: the step from one used capture to the next.
 struct TurnStep {
@@ -95,6 +57,7 @@ struct TurnReport {
     SignSource sign_source = SignSource::kAssumed;
     TurnLimits limits;
     std::vector<TurnStep> steps;
+    std::vector<StepEvidence> evidence;  ///< behind each step; not stored
     std::optional<AxisEstimate> axis;
     std::optional<Closure> closure_before;  ///< both or none
     std::optional<Closure> closure_after;

@@ -1,11 +1,12 @@
 #include "core/registration/turn_rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "core/registration/quality.h"
-#include "core/registration/turn_check.h"
 
 namespace gripscan {
 namespace {
@@ -23,13 +24,13 @@ double largest_change_rad(const std::optional<std::array<double, 5>>& a,
     return change;
 }
 
-double moved_during_exposure_rad(const TurnView& view) {
+double moved_during_exposure_rad(const CaptureFacts& view) {
     return std::abs(difference(view.joint6_rad, view.joint6_after_rad).value_or(0.0));
 }
 
 }  // namespace
 
-std::optional<double> joint6_rad(const TurnView& view) {
+std::optional<double> joint6_rad(const CaptureFacts& view) {
     if (view.joint6_rad && view.joint6_after_rad) {
         return 0.5 * (*view.joint6_rad + *view.joint6_after_rad);
     }
@@ -45,7 +46,7 @@ std::optional<double> reported_rad(const TurnStep& step) {
     return step.robot_rad ? step.robot_rad : step.commanded_rad;
 }
 
-TurnStep step_row(const TurnView& from, const TurnView& to, const Alignment& alignment,
+TurnStep step_row(const CaptureFacts& from, const CaptureFacts& to, const Alignment& alignment,
                   TurnMethod method) {
     TurnStep step;
     step.from = from.index;
@@ -72,7 +73,7 @@ StepsAxis axis_from_steps(std::span<const TurnStep> steps,
                           const Eigen::Vector3d& centre_m) {
     std::vector<Pose> motions;
     for (const TurnStep& step : steps) {
-        if (step.T) motions.push_back(*step.T);
+        if (step.T && step.mode == TurnMode::kFree) motions.push_back(*step.T);
     }
     StepsAxis axis;
     axis.estimate = estimate_axis(motions, centre_m);
@@ -87,7 +88,7 @@ StepsAxis axis_from_steps(std::span<const TurnStep> steps,
         axis.sign_source = SignSource::kAssumed;
     }
     for (const TurnStep& step : steps) {
-        if (hinted || !step.T || !reported_rad(step)) continue;
+        if (hinted || !step.T || !reported_rad(step) || step.mode != TurnMode::kFree) continue;
         if (step.robot_rad) axis.sign_source = SignSource::kJoint;
         agreement += deviation_from(axis.estimate->axis, *step.T).angle_rad * *reported_rad(step);
     }
@@ -95,8 +96,7 @@ StepsAxis axis_from_steps(std::span<const TurnStep> steps,
     return axis;
 }
 
-void judge_row(TurnStep& step, const TurnView& from, const TurnView& to, const Alignment& alignment,
-               const std::optional<AxisEstimate>& axis, const TurnSettings& settings) {
+void compare_with_axis(TurnStep& step, const std::optional<AxisEstimate>& axis) {
     if (step.T && axis) {
         const AxisDeviation d = deviation_from(axis->axis, *step.T);
         step.icp_rad = d.angle_rad;
@@ -105,6 +105,19 @@ void judge_row(TurnStep& step, const TurnView& from, const TurnView& to, const A
         step.slip_m = d.slip_m;
     }
     if (step.icp_rad && reported_rad(step)) step.error_rad = *step.icp_rad - *reported_rad(step);
+}
+
+std::optional<Alignment> without_alignment(const CaptureFacts& facts, const PreparedView& view) {
+    if (view.usable()) return std::nullopt;
+    Alignment none;
+    none.cause = Cause::kTexture;
+    none.sentence = fmt::format("capture {}: {}; no texture, no light, or nothing there",
+                                facts.index, view.flaw);
+    return none;
+}
+
+StepEvidence evidence_of(const CaptureFacts& from, const CaptureFacts& to,
+                         const Alignment& alignment, TurnMethod method) {
     StepEvidence evidence;
     evidence.found = alignment.found && alignment.cause != Cause::kNotConverged;
     if (!evidence.found) {
@@ -117,8 +130,8 @@ void judge_row(TurnStep& step, const TurnView& from, const TurnView& to, const A
         std::max(moved_during_exposure_rad(from), moved_during_exposure_rad(to));
     evidence.other_joints_moved_rad =
         largest_change_rad(from.other_joints_rad, to.other_joints_rad);
-    evidence.paper_icp = settings.method == TurnMethod::kPaperIcp;
-    judge_step(step, evidence, settings.limits);
+    evidence.paper_icp = method == TurnMethod::kPaperIcp;
+    return evidence;
 }
 
 }  // namespace gripscan

@@ -7,13 +7,15 @@
 
 #include "core/registration/align.h"
 #include "core/registration/axis_estimate.h"
-#include "core/registration/solve_turn.h"
+#include "core/registration/step_evidence.h"
 #include "core/registration/turn_report.h"
+#include "core/registration/turn_settings.h"
+#include "core/registration/turn_view.h"
 
 namespace gripscan {
 
-/// Joint 6 of a view: the mean of the readings around the exposure.
-[[nodiscard]] std::optional<double> joint6_rad(const TurnView& view);
+/// Joint 6 of a capture: the mean of the readings around the exposure.
+[[nodiscard]] std::optional<double> joint6_rad(const CaptureFacts& view);
 /// to − from, where both are known.
 [[nodiscard]] std::optional<double> difference(std::optional<double> from,
                                                std::optional<double> to);
@@ -21,10 +23,10 @@ namespace gripscan {
 [[nodiscard]] std::optional<double> reported_rad(const TurnStep& step);
 
 /// The row as far as it does not need the common axis. Index is left to the caller.
-[[nodiscard]] TurnStep step_row(const TurnView& from, const TurnView& to,
+[[nodiscard]] TurnStep step_row(const CaptureFacts& from, const CaptureFacts& to,
                                 const Alignment& alignment, TurnMethod method);
 
-/// The axis from the steps alone; its sign is settled by the hint, else by what was reported.
+/// The axis from the free steps alone; its sign is settled by the hint, else by what was reported.
 struct StepsAxis {
     std::optional<AxisEstimate> estimate;  ///< nothing if no step turns
     SignSource sign_source = SignSource::kAssumed;
@@ -33,8 +35,16 @@ struct StepsAxis {
                                         const std::optional<Eigen::Vector3d>& axis_hint,
                                         const Eigen::Vector3d& centre_m);
 
-/// Fills what the axis tells (signed angle, tilt, offset, slip, error) and judges the row.
-void judge_row(TurnStep& step, const TurnView& from, const TurnView& to, const Alignment& alignment,
-               const std::optional<AxisEstimate>& axis, const TurnSettings& settings);
+/// Fills what the axis tells: signed angle, tilt, offset, slip, error.
+void compare_with_axis(TurnStep& step, const std::optional<AxisEstimate>& axis);
+
+/// Views that are too poor to register are no error of the recording: the steps they take part in
+/// have this in place of an alignment. Nothing if the view is usable.
+[[nodiscard]] std::optional<Alignment> without_alignment(const CaptureFacts& facts,
+                                                         const PreparedView& view);
+
+/// What alignment and joints say beside the row.
+[[nodiscard]] StepEvidence evidence_of(const CaptureFacts& from, const CaptureFacts& to,
+                                       const Alignment& alignment, TurnMethod method);
 
 }  // namespace gripscan

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <vector>
@@ -12,6 +13,8 @@ namespace {
 constexpr int kWindowPx = 9;
 /// Local contrast from which a pixel counts as textured: twice the noise of an ordinary sensor.
 constexpr float kTexturedLevels = 4.0F;
+/// From here on a pixel counts as over-exposed: rectification smooths what the sensor cut off.
+constexpr int kGlare = 250;
 
 float median_of(std::vector<float>& values) {
     if (values.empty()) return 0.0F;
@@ -29,6 +32,32 @@ cv::Mat1f local_contrast(const cv::Mat& grey) {
     cv::Mat1f contrast;
     cv::sqrt(cv::max(square - mean.mul(mean), 0.0F), contrast);
     return contrast;
+}
+
+/// Squared difference between two smoothings, pixel by pixel: structure of the sizes between.
+cv::Mat band(const cv::Mat& grey, double fine_px, double coarse_px) {
+    cv::Mat value, fine, coarse, squared;
+    grey.convertTo(value, CV_32F);
+    cv::GaussianBlur(value, fine, {}, fine_px);
+    cv::GaussianBlur(value, coarse, {}, coarse_px);
+    cv::subtract(fine, coarse, fine);
+    cv::multiply(fine, fine, squared);
+    return squared;
+}
+
+/// Over what stereo found and what surrounds it; saturated pixels have no structure of their own.
+double sharpness_of(const cv::Mat& grey, const cv::Mat& disparity) {
+    const cv::Mat fine = band(grey, 1.0, 2.0);
+    const cv::Mat coarse = band(grey, 2.0, 4.0);
+    double fine_sum = 0.0, coarse_sum = 0.0;
+    for (int y = 0; y < grey.rows; ++y) {
+        for (int x = 0; x < grey.cols; ++x) {
+            if (!std::isfinite(disparity.at<float>(y, x))) continue;
+            fine_sum += static_cast<double>(fine.at<float>(y, x));
+            coarse_sum += static_cast<double>(coarse.at<float>(y, x));
+        }
+    }
+    return coarse_sum > 0.0 ? std::sqrt(fine_sum / coarse_sum) : 0.0;
 }
 
 /// Vertical shift of the right image in the patch around (x, y), by one least-squares step.
@@ -69,14 +98,17 @@ StereoHealth stereo_health(const StereoFrame& rectified, const cv::Rect& roi,
     const cv::Mat left = rectified.left(roi);
     const cv::Mat1f contrast = local_contrast(left);
     std::vector<float> contrasts;
+    std::vector<float> surface_contrasts;
     std::vector<float> shifts;
-    double textured = 0.0, found = 0.0, saturated = 0.0;
+    double textured = 0.0, found = 0.0, saturated = 0.0, glare = 0.0;
     for (int y = 0; y < roi.height; ++y) {
         for (int x = 0; x < roi.width; ++x) {
             const int grey = left.at<uchar>(y, x);
             const float d = disparity.at<float>(y, x);
             saturated += grey == 0 || grey == 255 ? 1.0 : 0.0;
+            glare += grey >= kGlare ? 1.0 : 0.0;
             contrasts.push_back(contrast(y, x));
+            if (std::isfinite(d)) surface_contrasts.push_back(contrast(y, x));
             if (contrast(y, x) < kTexturedLevels) continue;
             textured += 1.0;
             if (!std::isfinite(d)) continue;
@@ -92,6 +124,9 @@ StereoHealth stereo_health(const StereoFrame& rectified, const cv::Rect& roi,
     health.mean_intensity = cv::mean(left)[0];
     health.saturated = saturated / static_cast<double>(roi.area());
     health.texture = static_cast<double>(median_of(contrasts));
+    health.glare = glare / static_cast<double>(roi.area());
+    health.contrast = static_cast<double>(median_of(surface_contrasts));
+    health.sharpness = sharpness_of(left, disparity);
     health.row_error_px = static_cast<double>(median_of(shifts));
     return health;
 }

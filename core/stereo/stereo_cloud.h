@@ -32,6 +32,11 @@ struct StereoHealth {
     double saturated = 0.0;       ///< share of pixels at 255 (or 0)
     double texture = 0.0;         ///< median local contrast (standard deviation), levels
     double row_error_px = 0.0;    ///< median vertical shift between the images
+    double glare = 0.0;           ///< share of pixels at the upper end of the scale
+    /// Structure of one to two pixels over that of two to four, where there is any: falls when the
+    /// lens is out of focus, whatever the light.
+    double sharpness = 0.0;
+    double contrast = 0.0;  ///< local contrast where stereo found a surface, levels
 };
 
 struct StereoCloud {

@@ -67,7 +67,7 @@ TEST(BadDisk, AFullDiskLeavesTheSessionAsItWas) {
         std::vector<CaptureRecord> safe;
         Status status;
         for (int k = 0; status; ++k) {
-            status = store->store_images(k, small_frame(k));
+            status = store->store_images(k, 1, small_frame(k));
             if (!status) break;
             std::vector<CaptureRecord> table = safe;
             table.push_back(small_capture(k));

@@ -38,7 +38,7 @@ void record_on(SessionStore& store, int begin, int end = 1000) {
     for (int k = 0; k < begin; ++k) table.push_back(small_capture(k));
     if (!store.save_table(table)) return;
     for (int k = begin; k < end; ++k) {
-        if (!store.store_images(k, small_frame(k))) return;
+        if (!store.store_images(k, 1, small_frame(k))) return;
         if (!store.journal().write("event", fields_of(k))) return;
         table.push_back(small_capture(k));
         if (!store.save_table(table)) return;

@@ -25,7 +25,7 @@ Result<SessionStore> create(const fs::path& folder) {
 void record(SessionStore& store, int captures) {
     std::vector<CaptureRecord> table;
     for (int k = 0; k < captures; ++k) {
-        const Status stored = store.store_images(k, small_frame(k));
+        const Status stored = store.store_images(k, 1, small_frame(k));
         ASSERT_TRUE(stored) << stored.error().message;
         table.push_back(small_capture(k));
         const Status saved = store.save_table(table);
