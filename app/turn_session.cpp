@@ -65,16 +65,11 @@ Result<TurnSession> begin_session(const std::filesystem::path& folder, const Cel
     spec.region = cell.region;
     spec.axis_hint = cell.axis_hint;
     spec.limits = cell.limits;
-    auto store = SessionStore::create(folder, spec, cell.rig, GRIPSCAN_VERSION);
-    if (!store) return forward_error(store.error());
     const TurnPlan plan = plan_of(options, cell);
-    const JournalRecord planned = encode(plan);
-    if (Status s = store->journal().write(kCellEntry, journal_fields(options)); !s) {
-        return forward_error(s.error());
-    }
-    if (Status s = store->journal().write(planned.event, planned.fields); !s) {
-        return forward_error(s.error());
-    }
+    const std::array opening{JournalRecord{std::string(kCellEntry), journal_fields(options)},
+                             encode(plan)};
+    auto store = SessionStore::create(folder, spec, cell.rig, GRIPSCAN_VERSION, opening);
+    if (!store) return forward_error(store.error());
     return TurnSession{std::move(*store), spec, first_state(plan)};
 }
 
@@ -90,9 +85,9 @@ Result<RememberedSession> remember_session(const std::filesystem::path& folder) 
     }
     if (!read.options || !read.plan) {
         return input_error(
-            "{}: the run was ended before its plan was written; nothing was recorded: remove the "
-            "folder and run again",
-            folder.string());
+            "{}: the journal does not begin with cell and plan, so it is none of a run; what was "
+            "recorded can be computed: gripscan replay",
+            journal.string());
     }
     auto state = replay_inputs(first_state(*read.plan), read.inputs);
     if (!state) return input_error("{}: {}", journal.string(), state.error().message);

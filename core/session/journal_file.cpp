@@ -93,27 +93,23 @@ Status check_journal_version(const fs::path& path, const JournalContent& content
                        content.entries.empty() ? "0.1" : field(content.entries.front(), "version"));
 }
 
-Result<JournalFile> JournalFile::open_after(const fs::path& path, const JournalContent& content) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-    if (descriptor < 0) return forward_error(cannot_write(path));
-    JournalFile journal(path, descriptor, content);
-    if (::ftruncate(descriptor, static_cast<off_t>(content.whole_bytes)) != 0) {
-        return forward_error(cannot_write(path));
-    }
-    return journal;
-}
-
-Result<JournalFile> JournalFile::create(const fs::path& path, std::string_view program_version) {
+Result<JournalFile> JournalFile::create(const fs::path& path, std::string_view program_version,
+                                        std::span<const JournalRecord> opening) {
     const auto content = read_journal(path);
     if (!content) return forward_error(content.error());
     if (!content->empty()) return input_error("{}: there is a journal already", path.string());
-    auto journal = open_after(path, *content);
-    if (!journal) return journal;
-    Status begun = journal->write(kHeaderEvent, {{"format", std::string(kFormat)},
-                                                 {"program", std::string(program_version)}});
-    if (begun) begun = sync_folder(path.has_parent_path() ? path.parent_path() : fs::path("."));
-    if (!begun) return forward_error(begun.error());
-    return journal;
+    std::string text = journal_line(
+        {1,
+         utc_now(),
+         std::string(kHeaderEvent),
+         {{"format", std::string(kFormat)}, {"program", std::string(program_version)}}});
+    for (int number = 2; const JournalRecord& record : opening) {
+        text += journal_line({number++, utc_now(), record.event, record.fields});
+    }
+    if (Status status = write_file_atomically(path, text); !status) {
+        return forward_error(status.error());
+    }
+    return open(path);
 }
 
 Result<JournalFile> JournalFile::open(const fs::path& path) {
@@ -122,7 +118,13 @@ Result<JournalFile> JournalFile::open(const fs::path& path) {
     if (Status status = check_journal_version(path, *content); !status) {
         return forward_error(status.error());
     }
-    return open_after(path, *content);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (descriptor < 0) return forward_error(cannot_write(path));
+    JournalFile journal(path, descriptor, *content);
+    if (::ftruncate(descriptor, static_cast<off_t>(content->whole_bytes)) != 0) {
+        return forward_error(cannot_write(path));
+    }
+    return journal;
 }
 
 JournalFile::JournalFile(JournalFile&& other) noexcept

@@ -5,9 +5,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "core/procedure/journal.h"
+#include "core/procedure/journal_codec.h"
 
 namespace gripscan {
 
@@ -41,9 +42,11 @@ struct JournalContent {
 
 class JournalFile : public Journal {
   public:
-    /// Begins one. Error: there is one already.
+    /// Begins one with these entries; a crash leaves all of them or no journal. Error: there is one
+    /// already.
     [[nodiscard]] static Result<JournalFile> create(const std::filesystem::path& path,
-                                                    std::string_view program_version);
+                                                    std::string_view program_version,
+                                                    std::span<const JournalRecord> opening = {});
     /// Goes on with one. Errors: absent, damaged, of another version.
     [[nodiscard]] static Result<JournalFile> open(const std::filesystem::path& path);
     JournalFile(JournalFile&& other) noexcept;
@@ -62,8 +65,6 @@ class JournalFile : public Journal {
           descriptor_(descriptor),
           whole_bytes_(content.whole_bytes),
           last_number_(content.last_number()) {}
-    [[nodiscard]] static Result<JournalFile> open_after(const std::filesystem::path& path,
-                                                        const JournalContent& content);
     [[nodiscard]] Status take_back(Error why, bool keep_going);
 
     std::filesystem::path path_;

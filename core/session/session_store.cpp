@@ -51,7 +51,7 @@ Status make_folders(const fs::path& folder) {
 }
 
 Result<JournalFile> fill(const fs::path& folder, const SessionSpec& spec, const StereoRig& rig,
-                         std::string_view program_version) {
+                         std::string_view program_version, std::span<const JournalRecord> opening) {
     std::error_code code;
     fs::create_directories(folder / "frames", code);
     if (code) {
@@ -64,7 +64,7 @@ Result<JournalFile> fill(const fs::path& folder, const SessionSpec& spec, const 
         !status) {
         return forward_error(status.error());
     }
-    return JournalFile::create(folder / "journal", program_version);
+    return JournalFile::create(folder / "journal", program_version, opening);
 }
 
 void remove_created(const fs::path& folder) {
@@ -95,7 +95,8 @@ SessionStore::SessionStore(fs::path folder, FolderLock lock, JournalFile journal
 }
 
 Result<SessionStore> SessionStore::create(const fs::path& folder, const SessionSpec& spec,
-                                          const StereoRig& rig, std::string_view program_version) {
+                                          const StereoRig& rig, std::string_view program_version,
+                                          std::span<const JournalRecord> opening) {
     if (Status status = make_folders(folder); !status) return forward_error(status.error());
     const bool was_fresh = is_fresh_session(folder);
     std::error_code code;
@@ -108,7 +109,7 @@ Result<SessionStore> SessionStore::create(const fs::path& folder, const SessionS
     if (!was_fresh || !is_cut_short(folder)) {
         return forward_error(never_overwritten(folder).error());
     }
-    auto journal = fill(folder, spec, rig, program_version);
+    auto journal = fill(folder, spec, rig, program_version, opening);
     if (!journal) {
         remove_created(folder);
         return forward_error(journal.error());
@@ -154,8 +155,7 @@ Status SessionStore::save_table(std::span<const CaptureRecord> captures) {
     return write_file_atomically(folder_ / "captures.csv", capture_table_text(table));
 }
 
-std::vector<RecordedCapture> SessionStore::recorded(
-    std::span<const CaptureRecord> captures) const {
+std::vector<RecordedCapture> SessionStore::recorded(std::span<const CaptureRecord> captures) const {
     Session session;
     session.folder = folder_;
     for (const auto& capture : captures) session.table.rows.push_back(row_of(capture));

@@ -16,12 +16,14 @@ namespace gripscan {
 /// store_images() and save_table() may be called from two threads at a time.
 class SessionStore : public CaptureStore {
   public:
-    /// Makes the folder with session.yaml, rig.yaml and, last, a journal. A folder that holds
+    /// Makes the folder with session.yaml, rig.yaml and, last, a journal that begins with
+    /// `opening`, such as the plan: with the journal all of it is there. A folder that holds
     /// anything already is an error: recordings are never overwritten. After a failure it is
     /// empty.
     [[nodiscard]] static Result<SessionStore> create(const std::filesystem::path& folder,
                                                      const SessionSpec& spec, const StereoRig& rig,
-                                                     std::string_view program_version);
+                                                     std::string_view program_version,
+                                                     std::span<const JournalRecord> opening = {});
     /// Locks an existing one to go on with it, and clears away what a crash left half. Errors: in
     /// use, not writable, no journal, or one of another version.
     [[nodiscard]] static Result<SessionStore> open(const std::filesystem::path& folder);

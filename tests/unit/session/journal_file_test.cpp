@@ -48,7 +48,7 @@ TEST(JournalFile, IsBegunOnce) {
     EXPECT_FALSE(JournalFile::create(folder / "journal", "0.2.0"));
     EXPECT_EQ(test::read_text(folder / "journal"), text);
     test::write_text(folder / "torn", text.substr(0, 20));
-    EXPECT_TRUE(JournalFile::create(folder / "torn", "0.2.0")) << "a header cut short is none";
+    EXPECT_TRUE(JournalFile::create(folder / "torn", "0.2.0")) << "a cut line is none";
     EXPECT_TRUE(read_journal(folder / "torn")->header);
 }
 

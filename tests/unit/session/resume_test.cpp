@@ -50,9 +50,9 @@ TEST(Resume, FindsWhatWasWrittenAndGoesOn) {
     {
         SessionSpec spec;
         spec.step_deg = 12.5;
-        auto store = SessionStore::create(folder / "s", spec, small_rig(), "0.2.7");
+        auto store = SessionStore::create(folder / "s", spec, small_rig(), "0.2.7",
+                                          std::array{JournalRecord{"plan", {{"step", "a"}}}});
         ASSERT_TRUE(store) << store.error().message;
-        ASSERT_TRUE(store->journal().write("plan", {{"step", "a"}}));
         ASSERT_TRUE(store->journal().write("command", {{"verb", "connect"}}));
     }
     {
