@@ -18,6 +18,7 @@ namespace {
 struct SimcellOptions {
     SimCellSettings cell;
     std::string cell_out;
+    std::string truth;
 };
 
 void wait_for(const std::stop_token& stop) {
@@ -38,6 +39,9 @@ Result<ExitStatus> serve(const SimcellOptions& options, const Context& context) 
     print_result(fmt::format("listening motion={} monitor={} frames={}\n", cell->motion_port(),
                              cell->monitor_port(), *cell->frames_port()));
     wait_for(context.stop);
+    if (!options.truth.empty()) {
+        if (Status s = cell->write_truth(options.truth); !s) return forward_error(s.error());
+    }
     return kDone;
 }
 
@@ -80,6 +84,10 @@ void add_simcell(const CommandLine& line) {
         ->option_text("F");
     command
         ->add_option("--cell-out", options->cell_out, "Write cell.yaml and rig.yaml for it there")
+        ->option_text("DIR");
+    command
+        ->add_option("--truth", options->truth,
+                     "When stopped, write the truth of the captures served")
         ->option_text("DIR");
     add_common_options(*command, line.common);
     command->footer(
