@@ -43,9 +43,16 @@ void TurnTalk::tell(const ProcedureState& state) {
 }
 
 void TurnTalk::tell_cell(const ProcedureState& state) {
-    if (!state.cell || cell_told_) return;
-    cell_told_ = true;
+    if (!state.cell) return;
     for (const CellCheckItem& item : state.cell->items) {
+        // Measured again after the warm-up: numbers that passed before need not be told twice.
+        const auto told = items_told_.find(item.name);
+        const bool passed_twice =
+            told != items_told_.end() && told->second.starts_with(mark(CheckOutcome::kPassed)) &&
+            item.outcome == CheckOutcome::kPassed;
+        const std::string line = fmt::format("{} {}", mark(item.outcome), item.sentence);
+        if (passed_twice || (told != items_told_.end() && told->second == line)) continue;
+        items_told_[item.name] = line;
         say(context_, fmt::format("cell check {} {:<11}{}", mark(item.outcome), item.name,
                                   item.sentence));
     }

@@ -19,7 +19,7 @@ class TurnTalk {
 
     const Context& context_;
     bool robot_told_ = false;
-    bool cell_told_ = false;
+    std::map<std::string, std::string> items_told_;  ///< the sentence of each
     bool warm_up_told_ = false;
     std::map<std::pair<int, int>, std::string> steps_told_;  ///< the sentence of each
     std::size_t advice_told_ = 0;

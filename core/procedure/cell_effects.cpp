@@ -180,10 +180,12 @@ Event CellEffects::judge(const effect::Judge& pair, const ProcedureState& state,
 }
 
 Event CellEffects::estimate(const ProcedureState& state, const Progress& progress) {
-    auto found = find_axis(warm_up_, workspace_, cell_.axis_hint, progress, for_each_);
-    if (!found) return event::WorkFailed{found.error().message};
-    found->cell = checked(state, found->axis, progress);
-    return *found;
+    auto warm_up = find_axis(warm_up_, workspace_, cell_.axis_hint, progress, for_each_);
+    if (!warm_up) return event::WorkFailed{warm_up.error().message};
+    std::optional<AxisEstimate> as_turned = warm_up->found.axis;
+    if (as_turned && warm_up->backwards) as_turned->axis.direction = -as_turned->axis.direction;
+    warm_up->found.cell = checked(state, as_turned, progress);
+    return warm_up->found;
 }
 
 Event CellEffects::solve(const ProcedureState& state, const Progress& progress) {

@@ -6,25 +6,26 @@
 namespace gripscan {
 namespace {
 
-event::AxisFound no_axis(const std::string& why) {
-    return {std::nullopt, fmt::format("not found in the warm-up: {}", why), std::nullopt};
+WarmUpAxis no_axis(const std::string& why) {
+    return {{std::nullopt, fmt::format("not found in the warm-up: {}", why), std::nullopt}};
 }
 
-/// Upwards is positive: by the hint, else as the turns went.
-void settle_sign(Axis& axis, const std::optional<Eigen::Vector3d>& axis_hint,
+/// Upwards is positive: by the hint, else as the turns went. True: they went against the hint.
+bool settle_sign(Axis& axis, const std::optional<Eigen::Vector3d>& axis_hint,
                  std::span<const Pose> turns) {
-    double agreement = axis_hint ? axis.direction.dot(*axis_hint) : 0.0;
-    if (!axis_hint) {
-        for (const Pose& T : turns) agreement += deviation_from(axis, T).angle_rad;
-    }
-    if (agreement < 0.0) axis.direction = -axis.direction;
+    double turned_rad = 0.0;
+    for (const Pose& T : turns) turned_rad += deviation_from(axis, T).angle_rad;
+    if (turned_rad < 0.0) axis.direction = -axis.direction;
+    const bool backwards = axis_hint && axis.direction.dot(*axis_hint) < 0.0;
+    if (backwards) axis.direction = -axis.direction;
+    return backwards;
 }
 
 }  // namespace
 
-Result<event::AxisFound> find_axis(std::span<const RecordedCapture> shots, TurnWorkspace& workspace,
-                                   const std::optional<Eigen::Vector3d>& axis_hint,
-                                   const Progress& progress, const ForEach& for_each) {
+Result<WarmUpAxis> find_axis(std::span<const RecordedCapture> shots, TurnWorkspace& workspace,
+                             const std::optional<Eigen::Vector3d>& axis_hint,
+                             const Progress& progress, const ForEach& for_each) {
     Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
     for (const RecordedCapture& shot : shots) {
         if (auto added = workspace.add(shot, progress, for_each); !added) {
@@ -46,12 +47,12 @@ Result<event::AxisFound> find_axis(std::span<const RecordedCapture> shots, TurnW
     }
     auto axis = estimate_axis(turns, centre_m);
     if (!axis) return no_axis("nothing turned");
-    settle_sign(axis->axis, axis_hint, turns);
-    return event::AxisFound{
-        axis,
-        fmt::format("found by {} small turns to {:.2f} deg and {:.2f} mm", turns.size(),
-                    deg_from_rad(axis->sd_rad), axis->sd_m * kMmPerM),
-        std::nullopt};
+    const bool backwards = settle_sign(axis->axis, axis_hint, turns);
+    const std::string sentence =
+        fmt::format("found by {} small turns to {:.2f} deg and {:.2f} mm{}", turns.size(),
+                    deg_from_rad(axis->sd_rad), axis->sd_m * kMmPerM,
+                    backwards ? "; the scans turn the other way than joint 6 reports" : "");
+    return WarmUpAxis{{axis, sentence, std::nullopt}, backwards};
 }
 
 }  // namespace gripscan
