@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/registration/turn_check.h"
 
 namespace gripscan {
 namespace {
@@ -215,10 +216,6 @@ std::optional<AnglePattern> against_same_angle(const AdvisorCase& c, const Turne
 }
 
 }  // namespace
-
-double angle_limit_rad(const TurnStep& row, const TurnLimits& limits) {
-    return std::max(limits.angle_rad, limits.sigmas * row.sigma_rad.value_or(0.0));
-}
 
 bool at_same_angle(const TurnStep& row, const TurnStep& attempt) {
     if (!row.commanded_rad || !attempt.commanded_rad) return true;

@@ -22,8 +22,6 @@ struct AnglePattern {
     std::string evidence;  ///< with the numbers; empty: nothing but this row
 };
 
-/// The largest error that the limits let pass: the fixed limit or that many standard deviations.
-[[nodiscard]] double angle_limit_rad(const TurnStep& row, const TurnLimits& limits);
 /// Was `attempt` made at the angle of `row`, or at a larger one?
 [[nodiscard]] bool at_same_angle(const TurnStep& row, const TurnStep& attempt);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "core/registration/turn_check.h"
 #include "core/procedure/angle_pattern.h"
 #include "core/registration/quality.h"
 

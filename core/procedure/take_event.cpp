@@ -31,6 +31,23 @@ void insert(ProcedureState& state, CaptureRecord record) {
     data.captures.push_back(std::move(record));
 }
 
+bool is_warm_up(const std::optional<Shot>& shot) {
+    return shot && shot->purpose == ShotPurpose::kWarmUp;
+}
+
+/// What is left of an activity once the program has ended. Pictures of a warm-up are not kept: it
+/// begins anew, after a motion whose end is unknown.
+std::optional<Activity> after_restart(Activity activity) {
+    if (std::holds_alternative<activity::EstimatingAxis>(activity)) return std::nullopt;
+    if (const auto* exposing = std::get_if<activity::Exposing>(&activity)) {
+        if (is_warm_up(exposing->shot)) return std::nullopt;
+    }
+    if (auto* moving = std::get_if<activity::Moving>(&activity)) {
+        if (is_warm_up(moving->shot)) moving->shot.reset();
+    }
+    return activity;
+}
+
 struct TakeEvent {
     Draft& draft;
     ProcedureState& s = draft.state;
@@ -217,6 +234,7 @@ struct TakeEvent {
         if (auto* connecting = std::get_if<phase::Connecting>(&s.phase)) {
             interrupted = connecting->interrupted;
         }
+        if (interrupted) interrupted = after_restart(std::move(*interrupted));
         s.phase = phase::Offline{"the program was started again", std::move(interrupted)};
     }
 };

@@ -1,74 +1,17 @@
-// Checks that turn joint 6: absolute targets, ids, refusals, STOP, what the monitor sees meanwhile.
+// Checks that turn joint 6: absolute targets, STOP, what the monitor sees meanwhile, a lost link.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <thread>
 
 #include "core/base/units.h"
-#include "core/robot/conformance_probe.h"
+#include "core/robot/conformance_turns.h"
 #include "core/robot/gsp_reading.h"
 #include "core/robot/kinematics.h"
 
 namespace gripscan::gsp {
 namespace {
-
-constexpr double kTarget_deg = 0.05;
-constexpr double kOtherJoint_deg = 0.02;
-
-std::optional<double> joint6_deg(Probe& probe) {
-    const auto reply = probe.monitor.ask_for<PositionReply>(AskPosition{});
-    return reply ? reply->position.joints_deg[5] : std::nullopt;
-}
-
-/// Does joint 6 stand at that angle, also a moment later?
-bool stands_at(Probe& probe, std::optional<double> angle_deg) {
-    std::this_thread::sleep_for(probe.settings.split_pause);
-    const auto state = probe.monitor.ask_for<StateReply>(AskState{});
-    const auto now_deg = joint6_deg(probe);
-    return state && state->moving == false && angle_deg && now_deg &&
-           std::abs(*now_deg - *angle_deg) < kOtherJoint_deg;
-}
-
-/// `steps` away from where the arm stood first.
-TurnJoint6 next_turn(Probe& probe, double steps) {
-    const double start_deg = probe.start->joints_deg[5].value_or(0.0);
-    const double angle_deg = start_deg + probe.direction * steps * probe.settings.step_deg;
-    return {++probe.last_id, std::round(angle_deg * 1e4) / 1e4, probe.settings.speed_percent};
-}
-
-/// The line that ends a turn whose ACC has come.
-std::string end_of_turn(Probe& probe) {
-    const auto line = probe.motion.next(probe.settings.motion_limit);
-    if (!line) probe.motion.close();
-    return line ? *line : line.error().what;
-}
-
-/// Empty if ACC came, else what came.
-std::string trouble_with_acceptance(Probe& probe, const TurnJoint6& turn) {
-    std::string line = probe.motion.ask(encode(Request(turn)));
-    return line == encode(Reply(Accepted{turn.id})) ? std::string() : line;
-}
-
-bool is_done_at(std::string_view line, const TurnJoint6& turn) {
-    const auto reply = decode_reply(line);
-    const auto* done = reply ? std::get_if<Done>(&*reply) : nullptr;
-    return done && done->id == turn.id && done->position.joints_deg[5] &&
-           std::abs(*done->position.joints_deg[5] - turn.angle_deg) < kTarget_deg;
-}
-
-/// Makes a turn from beginning to end.
-Verdict make(Probe& probe, const TurnJoint6& turn) {
-    if (const auto trouble = trouble_with_acceptance(probe, turn); !trouble.empty()) {
-        return {CheckOutcome::kFailed, trouble};
-    }
-    const std::string line = end_of_turn(probe);
-    const bool done = is_done_at(line, turn);
-    if (done) {
-        probe.turn = turn;
-        probe.done_line = line;
-    }
-    return passed_if(done, line);
-}
 
 Verdict is_ready(Probe& probe) {
     const std::string line = probe.monitor.ask("STATE");
@@ -85,74 +28,8 @@ Verdict is_ready(Probe& probe) {
     return passed_if(ready, line);
 }
 
-/// Where the arm stands is asked for under the lowest id: taken, or refused with the last one.
-Verdict learns_the_last_id(Probe& probe) {
-    TurnJoint6 here = next_turn(probe, 0.0);
-    const std::string line = probe.motion.ask(encode(Request(here)));
-    const auto reply = decode_reply(line);
-    const auto* refusal = reply ? std::get_if<Failure>(&*reply) : nullptr;
-    if (refusal && refusal->code == ErrorCode::kStaleId) {
-        const auto last = last_id_in(refusal->text);
-        if (last) probe.last_id = *last;
-        return passed_if(last.has_value(), line);
-    }
-    if (!is_reply<Accepted>(line)) return {CheckOutcome::kFailed, line};
-    const std::string end = end_of_turn(probe);
-    return passed_if(is_done_at(end, here), end);
-}
-
 Verdict turns(Probe& probe) {
     return make(probe, next_turn(probe, 1.0));
-}
-
-Verdict repeats_without_moving(Probe& probe) {
-    if (!probe.turn) return skipped("no turn was made");
-    const auto before_deg = joint6_deg(probe);
-    if (const auto trouble = trouble_with_acceptance(probe, *probe.turn); !trouble.empty()) {
-        return {CheckOutcome::kFailed, trouble};
-    }
-    const std::string line = end_of_turn(probe);
-    const bool still = stands_at(probe, before_deg);
-    return passed_if(still && line == probe.done_line, line);
-}
-
-Verdict is_refused(Probe& probe, const TurnJoint6& turn, ErrorCode code) {
-    const auto before_deg = joint6_deg(probe);
-    const std::string line = probe.motion.ask(encode(Request(turn)));
-    const bool still = stands_at(probe, before_deg);
-    if (is_reply<Accepted>(line)) (void)end_of_turn(probe);
-    const bool names_last = code != ErrorCode::kStaleId || line.find(" last=") != std::string::npos;
-    return passed_if(is_error(line, turn.id, code) && still && names_last, line);
-}
-
-Verdict refuses_other_arguments(Probe& probe) {
-    if (!probe.turn) return skipped("no turn was made");
-    TurnJoint6 other = *probe.turn;
-    other.angle_deg -= probe.direction * probe.settings.step_deg / 2.0;
-    return is_refused(probe, other, ErrorCode::kStaleId);
-}
-
-Verdict refuses_old_ids(Probe& probe) {
-    if (!probe.turn || probe.turn->id < 2) return skipped("no turn with an id above 1 was made");
-    TurnJoint6 old = *probe.turn;
-    --old.id;
-    return is_refused(probe, old, ErrorCode::kStaleId);
-}
-
-Verdict refuses_far_targets(Probe& probe) {
-    TurnJoint6 turn = next_turn(probe, 0.0);
-    turn.angle_deg = probe.direction * 400.0;
-    return is_refused(probe, turn, ErrorCode::kTargetRange);
-}
-
-Verdict refuses_speeds(Probe& probe) {
-    TurnJoint6 turn = next_turn(probe, 1.0);
-    turn.speed_percent = 0.0;
-    const Verdict slow = is_refused(probe, turn, ErrorCode::kSpeedRange);
-    if (slow.outcome != CheckOutcome::kPassed) return slow;
-    turn = next_turn(probe, 1.0);
-    turn.speed_percent = 101.0;
-    return is_refused(probe, turn, ErrorCode::kSpeedRange);
 }
 
 /// Back to the start, watched on the monitor link, with another command in between.
@@ -168,8 +45,8 @@ Watched watch(Probe& probe, const TurnJoint6& turn, double begin_deg) {
         const auto now_deg = joint6_deg(probe);
         if (!state || !now_deg) break;
         if (state->moving == true) seen.moving_told = true;
-        const bool left = std::abs(*now_deg - begin_deg) > kTarget_deg;
-        const bool arrived = std::abs(*now_deg - turn.angle_deg) < kTarget_deg;
+        const bool left = std::abs(*now_deg - begin_deg) > kEndTolerance_deg;
+        const bool arrived = std::abs(*now_deg - turn.angle_deg) < kEndTolerance_deg;
         if (left && !arrived) ++seen.between;
         if (arrived && state->moving != true) break;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -216,7 +93,7 @@ Verdict stops(Probe& probe) {
     const std::string end = end_of_turn(probe);
     const auto end_deg = joint6_deg(probe);
     const bool still =
-        stands_at(probe, end_deg) && std::abs(*end_deg - turn.angle_deg) > kTarget_deg;
+        stands_at(probe, end_deg) && std::abs(*end_deg - turn.angle_deg) > kEndTolerance_deg;
     return passed_if(
         is_reply<StopReply>(stop) && is_error(end, turn.id, ErrorCode::kStopped) && still,
         fmt::format("{} | {} | joint 6 {}", stop, end,
@@ -259,7 +136,7 @@ Verdict other_joints_stand(Probe& probe) {
         largest_deg = std::max(largest_deg, std::abs(now->position.joints_deg[i].value_or(1e9) -
                                                      probe.start->joints_deg[i].value_or(-1e9)));
     }
-    return passed_if(largest_deg <= kOtherJoint_deg, fmt::format("{:.4f} deg", largest_deg));
+    return passed_if(largest_deg <= kStillTolerance_deg, fmt::format("{:.4f} deg", largest_deg));
 }
 
 /// The tool's pose on the flange, whatever it is, does not depend on joint 6.

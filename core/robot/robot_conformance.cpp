@@ -7,6 +7,13 @@
 namespace gripscan::gsp {
 namespace {
 
+/// What a controller sends may be anything; what is told of it is one line.
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 0x7F; }, '?');
+    return text;
+}
+
 /// Without these nothing that moves may be tried.
 bool must_pass(std::string_view name) {
     return name == "move.ready" || name == "move.ids";
@@ -22,8 +29,8 @@ class Run {
 
   private:
     void add(const CheckRow& row, const Verdict& verdict) {
-        report_.checks.push_back(
-            {std::string(row.name), verdict.outcome, verdict.seen, std::string(row.required)});
+        report_.checks.push_back({std::string(row.name), verdict.outcome, one_line(verdict.seen),
+                                  std::string(row.required)});
         if (receiver_) receiver_(report_.checks.back());
     }
     /// Why no check that moves may be made; empty: they may.

@@ -36,7 +36,9 @@ Exchange Cabinet::answer(LinkKind link, const gsp::Request& request) {
     const double now_s = clock_();
     const ExchangePoint point = point_of(request);
     if (point == ExchangePoint::kAccept) faults_.count_turn();
+    const int start = starts_;
     strike(point, now_s);
+    if (starts_ != start) return {};  // it was not heard any more
     return {encode(controller_.answer(link, request, now_s)), faults_.take_of_link(point), {}};
 }
 

@@ -1,5 +1,5 @@
-// The simulated robot controller: what it answers to the requests of GSP/1, and when a turn is over.
-// It knows messages and times, neither bytes nor sockets.
+// The simulated robot controller: what it answers to the requests of GSP/1, and when a turn is
+// over. It knows messages and times, neither bytes nor sockets.
 #pragma once
 
 #include <optional>
@@ -20,16 +20,16 @@ struct Conditions {
     bool fault = false;
     bool pendant_enabled = false;
     int override_percent = 100;
-    std::string alarm;  ///< empty: none
+    std::string alarm = "";  ///< empty: none
 };
 
 /// Why nothing may move under these conditions; nothing if it may.
 [[nodiscard]] std::optional<gsp::ErrorCode> refusal(const Conditions& conditions);
 
 struct ControllerSettings {
-    double settle_s = 0.3;            ///< after the end of a travel, before it is confirmed
-    double tolerance_deg = 0.03;      ///< of joint 6 at the end: six deviations of its repeatability
-    double max_step_deg = 370.0;      ///< of one turn: a whole one back to the start is allowed
+    double settle_s = 0.3;        ///< after the end of a travel, before it is confirmed
+    double tolerance_deg = 0.03;  ///< of joint 6 at the end: six deviations of its repeatability
+    double max_step_deg = 370.0;  ///< of one turn: a whole one back to the start is allowed
     double max_speed_percent = 100.0;
     double max_turn_s = 120.0;
 };

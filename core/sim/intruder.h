@@ -6,7 +6,7 @@
 
 namespace gripscan::sim {
 
-/// A rod of this thickness and twice its length, in WORLD, inside the region (camera frame) before
+/// A rod of this thickness, twice as long, in WORLD, inside the region (camera frame) before
 /// and below what turns there, clear of it.
 [[nodiscard]] Body make_intruder(double thickness_m, const Box& region, const Pose& T_world_camera,
                                  std::uint64_t seed);

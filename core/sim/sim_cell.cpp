@@ -1,75 +1,20 @@
 #include "core/sim/sim_cell.h"
 
-#include <fmt/ranges.h>
-#include <algorithm>
-#include <cmath>
-#include <mutex>
-
 #include "core/base/units.h"
 #include "core/concurrency/worker_pool.h"
 #include "core/sim/cabinet.h"
 #include "core/sim/cell_layout.h"
 #include "core/sim/frame_server.h"
 #include "core/sim/free_ports.h"
-#include "core/sim/grippers.h"
+#include "core/sim/guarded_source.h"
 #include "core/sim/intruder.h"
 #include "core/sim/link_server.h"
-#include "core/sim/objects.h"
 #include "core/sim/seeds.h"
-#include "core/sim/sim_camera.h"
+#include "core/sim/sim_cell_settings.h"
 #include "core/sim/truth.h"
 
 namespace gripscan {
 namespace {
-
-Status check_motion(const SimCellSettings& settings) {
-    if (!(settings.step_deg > 0.0 && settings.step_deg <= 180.0)) {
-        return input_error("simulated cell: steps of {} deg; they must be above 0, at most 180",
-                           settings.step_deg);
-    }
-    if (!(settings.time_scale > 0.0 && settings.time_scale <= 1e6)) {
-        return input_error("simulated cell: time {} times as fast; it must be above 0, at most 1e6",
-                           settings.time_scale);
-    }
-    const double start_deg = settings.start_joint6_deg.value_or(0.0);
-    if (!(std::abs(start_deg) <= 360.0)) {
-        return input_error("simulated cell: joint 6 cannot start at {} deg; it turns by +-360",
-                           start_deg);
-    }
-    const unsigned fraction = settings.image_fraction;
-    if (fraction < 1 || fraction > 8) {
-        return input_error("simulated cell: images of 1/{} the size; it must be 1/1 ... 1/8",
-                           fraction);
-    }
-    return {};
-}
-
-Status check(const SimCellSettings& settings) {
-    const auto known = [](const std::vector<std::string>& names, const std::string& name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    if (!known(sim_grippers(), settings.gripper)) {
-        return input_error("simulated cell: no gripper is called '{}'; there are {}",
-                           settings.gripper, fmt::join(sim_grippers(), ", "));
-    }
-    if (!settings.object.empty() && !known(sim_objects(), settings.object)) {
-        return input_error("simulated cell: no object is called '{}'; there are {}",
-                           settings.object, fmt::join(sim_objects(), ", "));
-    }
-    const auto in_range = [](double value, double limit) { return value >= 0.0 && value <= limit; };
-    if (!in_range(settings.noise_levels, 50.0)) {
-        return input_error("simulated cell: noise of {} levels; it must be 0 … 50",
-                           settings.noise_levels);
-    }
-    if (!in_range(settings.blur_px, 20.0)) {
-        return input_error("simulated cell: blur of {} px; it must be 0 … 20", settings.blur_px);
-    }
-    if (!in_range(settings.texture_contrast, 60.0)) {
-        return input_error("simulated cell: texture contrast of {} levels; it must be 0 … 60",
-                           settings.texture_contrast);
-    }
-    return check_motion(settings);
-}
 
 sim::SceneContents contents_of(const SimCellSettings& settings, const sim::CellLayout& layout) {
     const double levels =
@@ -103,32 +48,7 @@ Result<Plan> plan_of(const SimCellSettings& settings) {
     return plan;
 }
 
-/// Lets several threads use one source, one after the other.
-class GuardedSource : public StereoSource {
-  public:
-    explicit GuardedSource(sim::SimCamera& camera) : camera_(camera) {}
-    [[nodiscard]] Result<StereoFrame> grab(const FrameRequest& request) override {
-        const std::scoped_lock lock(mutex_);
-        return camera_.grab(request);
-    }
-    [[nodiscard]] sim::Moments grabbed() const {
-        const std::scoped_lock lock(mutex_);
-        return camera_.grabbed();
-    }
-
-  private:
-    mutable std::mutex mutex_;
-    sim::SimCamera& camera_;
-};
-
 }  // namespace
-
-std::vector<std::string> sim_grippers() {
-    return sim::gripper_names();
-}
-std::vector<std::string> sim_objects() {
-    return sim::object_names();
-}
 
 /// In the order in which they need each other: the servers end first.
 struct SimCell::Impl {
@@ -140,7 +60,7 @@ struct SimCell::Impl {
     WorkerPool pool{threads_wanted()};
     sim::Cabinet cabinet;
     std::unique_ptr<sim::SimCamera> camera;
-    std::optional<GuardedSource> source;
+    std::optional<sim::GuardedSource> source;
     std::optional<sim::LinkServer> motion;
     std::optional<sim::LinkServer> monitor;
     std::optional<sim::FrameServer> frames;
@@ -210,7 +130,7 @@ sim::Moment SimCell::Impl::look(const FrameRequest& request) const {
 }
 
 Result<SimCell> SimCell::create(const SimCellSettings& settings) {
-    if (Status ok = check(settings); !ok) return forward_error(ok.error());
+    if (Status ok = sim::check(settings); !ok) return forward_error(ok.error());
     const auto plan = plan_of(settings);
     if (!plan) return forward_error(plan.error());
     auto impl = std::make_unique<Impl>(*plan, settings);

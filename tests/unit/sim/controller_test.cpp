@@ -153,7 +153,8 @@ TEST_F(ControllerTest, ConditionsRefuseAndInterrupt) {
         controller.set_conditions(conditions, now_s);
         EXPECT_EQ(code(turn(id + 1, 10.0)), expected);
         controller.set_conditions({}, now_s);
-        ASSERT_TRUE(accepted(turn(++id, id % 2 == 0 ? 90.0 : -90.0)));
+        ++id;
+        ASSERT_TRUE(accepted(turn(id, id % 2 == 0 ? 90.0 : -90.0)));
         now_s += arm.duration_s() / 2.0;
         controller.set_conditions(conditions, now_s, 2.0);
         const auto end = outcome_after(0.0);
