@@ -1,5 +1,7 @@
 #include "app/turn_session.h"
 
+#include <array>
+
 #include "core/base/units.h"
 #include "core/procedure/engine.h"
 #include "core/procedure/journal_codec.h"
