@@ -32,11 +32,15 @@ Result<std::string> read_line(std::stop_token stop) {
 
 }  // namespace
 
-Result<Command> prompt_for_angle(double target_rad, bool readable, std::stop_token stop) {
+Result<Command> prompt_for_angle(const std::optional<double>& target_rad, bool readable,
+                                 std::stop_token stop) {
+    const std::string what =
+        target_rad ? fmt::format("turn joint 6 to {:.2f} deg, then", deg_from_rad(*target_rad))
+                   : "to begin with,";
     for (;;) {
         std::cerr << fmt::format(
-            "turn joint 6 to {:.2f} deg, then {}: ", deg_from_rad(target_rad),
-            readable ? "press Enter" : "type the angle it shows, in deg, and press Enter");
+            "{} {}: ", what,
+            readable ? "press Enter" : "type the angle joint 6 shows, in deg, and press Enter");
         auto line = read_line(stop);
         if (!line) return forward_error(line.error());
         if (line->empty() && readable) return Command{command::Capture{}};

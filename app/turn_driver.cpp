@@ -32,6 +32,14 @@ class Driver {
         return {};
     }
 
+    /// Without a robot to read, the operator says where the joint stands.
+    Status ask_where_it_stands() {
+        if (state().plan.mode != MotionMode::kManual || standing_joint6_rad(state())) return {};
+        const auto answer = prompt_for_angle(std::nullopt, false, context_.stop);
+        if (!answer) return forward_error(answer.error());
+        return command(*answer);
+    }
+
     [[nodiscard]] const ProcedureState& state() const { return engine_.state(); }
     template <typename T>
     [[nodiscard]] const T* in() const {
@@ -110,6 +118,7 @@ Result<DrivenTurn> drive_turn(Engine& engine, const DriverOptions& options, cons
     Driver driver(engine, context);
     if (Status s = driver.command(command::Connect{}); !s) return forward_error(s.error());
     if (Status s = trouble_of_link(driver); !s) return forward_error(s.error());
+    if (Status s = driver.ask_where_it_stands(); !s) return forward_error(s.error());
     if (options.resumed && driver.in<phase::Interrupted>() != nullptr) {
         auto reply = engine.submit(command::Resume{});
         if (!reply) return forward_error(reply.error());

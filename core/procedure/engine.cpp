@@ -26,6 +26,7 @@ Result<std::optional<std::string>> Engine::submit(const Command& command) {
 }
 
 Result<bool> Engine::pump(std::chrono::milliseconds wait) {
+    if (broken_) return forward_error(*broken_);
     const auto events = received(wait);
     for (const Event& event : events) {
         // An event that makes no sense any more (a link lost while it is known to be lost) is

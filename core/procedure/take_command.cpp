@@ -60,8 +60,10 @@ struct TakeCommand {
         }
         draft.settle_start();
         draft.remember();
-        const CaptureRecord* last = s.data.last_used();
-        draft.shoot(draft.shot_at(last == nullptr ? 0.0 : last->commanded_rad));
+        const Shot shot = draft.shot_at(0.0);
+        // Without motion rights the turn begins where the joint stands.
+        if (s.plan.mode == MotionMode::kManual) return draft.begin(activity::Exposing{shot});
+        draft.shoot(shot);
     }
 
     void operator()(const command::Step&) const {

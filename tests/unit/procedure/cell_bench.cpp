@@ -41,7 +41,7 @@ sim::SceneModel default_scene(const sim::CellLayout& layout, std::uint64_t seed)
 }  // namespace
 
 CellBench::CellBench(std::uint64_t seed)
-    : layout(half_size(seed)), robot(layout.joints_rad, seed), model_(default_scene(layout, seed)) {
+    : layout(half_size(seed)), robot(layout.joints_rad), model_(default_scene(layout, seed)) {
     region = sim::registration_area(layout, model_);
     // Half the pixels: twice the error of depth, a quarter of the points.
     limits.depth_sd_mm *= 2.0;
@@ -67,7 +67,12 @@ void CellBench::make_camera() {
     if (camera_) return;
     camera_ = sim::SimCamera::create(
                   layout, model_, region, {{blur_px_, 2.0}, 7},
-                  [this] { return robot.arm().true_rad; }, pool_.for_each())
+                  [this](const FrameRequest&) {
+                      sim::Moment moment;
+                      moment.true_rad = robot.joints_rad;
+                      return moment;
+                  },
+                  pool_.for_each())
                   .value();
 }
 

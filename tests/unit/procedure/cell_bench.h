@@ -10,9 +10,9 @@
 #include "core/concurrency/worker_pool.h"
 #include "core/procedure/cell_check.h"
 #include "core/procedure/measure_cell.h"
+#include "core/robot/kinematics.h"
 #include "core/sim/cell_layout.h"
 #include "core/sim/sim_camera.h"
-#include "core/sim/sim_robot.h"
 
 namespace gripscan::test {
 
@@ -22,12 +22,28 @@ struct Intruder {
     Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
 };
 
-/// A simulated arm whose controller can be in any state.
-class BenchRobot : public sim::SimRobot {
+/// An arm that stands exactly where it is told, and whose controller can be in any state.
+class BenchRobot : public RobotLink {
   public:
-    using SimRobot::SimRobot;
+    explicit BenchRobot(const JointAngles& at_rad) : joints_rad(at_rad) {
+        controller.automatic = controller.servo_on = true;
+        controller.override_percent = 100;
+    }
+    RobotResult<RobotIdentity> connect() override { return RobotIdentity{"bench", 6, "none"}; }
+    void disconnect() override {}
     RobotResult<ControllerState> state() override { return controller; }
-    ControllerState controller = *SimRobot::state();
+    RobotResult<RobotReading> read() override {
+        return RobotReading{joints_rad, tool_pose(joints_rad)};
+    }
+    RobotResult<RobotReading> turn_joint6(const Joint6Command& command, std::stop_token) override {
+        joints_rad[5] = command.angle_rad;
+        return read();
+    }
+    RobotResult<void> stop() override { return {}; }
+    void on_beat(std::function<void(const RobotBeat&)>) override {}
+
+    JointAngles joints_rad;
+    ControllerState controller;
 };
 
 class CellBench {

@@ -217,12 +217,12 @@ TEST(CellCheck, LetsADryRunAndAnOperatorWhoJogsPassWithoutAUTO) {
     EXPECT_EQ(item_of(assess(facts, plan), "controller").outcome, CheckOutcome::kFailed);
 }
 
-TEST(CellCheck, StartsAtTheLowerEndWhereTheTurnDoesNotFitFromWhereTheArmStands) {
+TEST(CellCheck, LaysTheTurnEvenlyAboutZeroWhereItDoesNotFitFromWhereTheArmStands) {
     CellFacts facts = sound_cell();
     (*facts.joints_rad)[5] = rad_from_deg(3.0);
     const CellReport report = assess(facts, {});
     EXPECT_EQ(item_of(report, "range").outcome, CheckOutcome::kPassed);
-    EXPECT_THAT(item_of(report, "range").sentence, HasSubstr("from -360.0 to 0.0 deg"));
+    EXPECT_THAT(item_of(report, "range").sentence, HasSubstr("from -180.0 to 180.0 deg"));
 }
 
 TEST(CellCheck, WarnsOfALongTurnAndCountsMotionAndPictures) {

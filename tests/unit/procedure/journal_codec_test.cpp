@@ -184,7 +184,7 @@ TEST(JournalCodec, ALinkAnAxisAndACheckHaveTheseFields) {
                     "controller.automatic", "controller.servo_on", "controller.emergency_stop",
                     "controller.fault", "controller.moving", "controller.override_percent",
                     "controller.alarm", "reading.joints_rad", "reading.T_world_tool"));
-    EXPECT_THAT(names_in_order(encode(Input(Event(event::AxisFound{AxisEstimate{}, ""})))),
+    EXPECT_THAT(names_in_order(encode(Input(Event(event::AxisFound{AxisEstimate{}, "", std::nullopt})))),
                 ElementsAre("name", "axis.point_m", "axis.direction", "axis.sd_rad", "axis.sd_m",
                             "sentence"));
     EXPECT_THAT(names_in_order(encode(Input(Event(event::CellChecked{{{CellCheckItem{}}}})))),

@@ -463,7 +463,7 @@ TEST(Step, TableOfCommandsAndPhases) {
     const std::map<std::string, std::vector<std::string>> taken{
         {"offline", {"connect"}},
         {"connecting", {}},
-        {"idle, unchecked", {"check_cell", "run"}},
+        {"idle, unchecked", {"check_cell", "lock_axis", "run"}},
         {"checking", {"run", "stop"}},
         {"warming up", {"run", "stop"}},
         {"idle, warm", {"check_cell", "warm_up", "capture", "lock_axis", "run"}},
