@@ -14,8 +14,11 @@ constexpr int kReweightings = 15;
 constexpr double kSlack = 1e-3;
 /// The axis must fit so much better than the next best direction, as a ratio of mean squares.
 constexpr double kPlainly = 0.25;
-/// And the normals must pass it within this distance, in radii of the part (median).
-constexpr double kPasses = 0.08;
+/// At least this share of the normals must pass it within this distance, in radii of the part,
+/// and must not be parallel to it: a plane is a surface of revolution about its own normal.
+constexpr double kMostPass = 0.5;
+constexpr double kPasses = 0.1;
+constexpr double kParallel = 0.7;
 
 /// A normal as a line: direction and moment about the centre, lengths in radii of the part.
 struct Line {
@@ -91,6 +94,16 @@ double median_of(std::vector<double> sizes) {
     return *middle;
 }
 
+double share_that_passes(const std::vector<Line>& lines, const Complex& complex) {
+    const std::vector<double> sizes = misses(lines, complex);
+    double passing = 0.0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const bool across = std::abs(lines[i].direction.dot(complex.c)) < kParallel;
+        if (across && sizes[i] < kPasses) passing += 1.0;
+    }
+    return passing / static_cast<double>(lines.size());
+}
+
 }  // namespace
 
 std::optional<Axis> revolution_axis(std::span<const Surface* const> surfaces) {
@@ -107,7 +120,7 @@ std::optional<Axis> revolution_axis(std::span<const Surface* const> surfaces) {
         }
         complex = fitted(all.lines, weights);
     }
-    if (complex.ratio > kPlainly || median_of(misses(all.lines, complex)) > kPasses) {
+    if (complex.ratio > kPlainly || share_that_passes(all.lines, complex) < kMostPass) {
         return std::nullopt;
     }
     // The line of the complex: its pitch, the part of c̄ along c, is no revolution.

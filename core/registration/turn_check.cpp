@@ -15,6 +15,8 @@ namespace {
 
 /// Scans that turned by less than this share of the reported angle show something that stands.
 constexpr double kStoodStill = 0.05;
+/// With less than this many times the least observability, standing still says little.
+constexpr double kHardlyShown = 2.0;
 
 /// One limit: how far the value is from it (1 = on it), and how that reads.
 struct Criterion {
@@ -30,17 +32,25 @@ Criterion angle_criterion(const TurnStep& step, const StepEvidence& evidence,
     const double reported_rad = *step.icp_rad - *step.error_rad;
     const bool stood_still = std::abs(*step.icp_rad) < kStoodStill * std::abs(reported_rad);
     // Our estimate from many starts is not that wrong by itself: the capture is not what its label
-    // says. Plain ICP from one start has more likely stopped somewhere.
-    const Cause cause = evidence.paper_icp ? Cause::kNotConverged : Cause::kMislabelled;
+    // says. Plain ICP from one start has more likely stopped somewhere, and a surface that hardly
+    // shows its turn looks best unturned.
+    const bool hardly_shown =
+        step.observability && *step.observability < kHardlyShown * evidence.least_observability;
+    const Cause cause = evidence.paper_icp            ? Cause::kNotConverged
+                        : stood_still && hardly_shown ? Cause::kSymmetry
+                                                      : Cause::kMislabelled;
     return {
         std::abs(*step.error_rad) / limit, cause,
         fmt::format("scans turned by {:.3f} deg, robot by {:.3f} deg: error {:+.3f} deg, limit "
                     "{:.3f} deg{}",
                     deg_from_rad(*step.icp_rad), deg_from_rad(reported_rad),
                     deg_from_rad(*step.error_rad), deg_from_rad(limit),
-                    stood_still ? "; nothing turned: is there a still background in the clouds? "
-                                  "A region keeps it out"
-                                : "")};
+                    cause == Cause::kSymmetry
+                        ? "; nothing turned, and the surface hardly shows a turn: it may look the "
+                          "same all around the axis"
+                    : stood_still ? "; nothing turned: is there a still background in the clouds? "
+                                    "A region keeps it out"
+                                  : "")};
 }
 
 Criterion overlap_criterion(const TurnStep& step, const TurnLimits& limits) {

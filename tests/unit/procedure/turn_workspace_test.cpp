@@ -23,8 +23,9 @@ std::vector<RecordedCapture> captures_of(const std::vector<Cloud>& views, double
     return captures;
 }
 
-std::vector<RecordedCapture> small_turn(int captures = 5) {
+std::vector<RecordedCapture> small_turn(int captures = 4) {
     test::SyntheticTurnSettings settings;
+    settings.samples = 9000;
     settings.captures = captures;
     return captures_of(test::synthetic_turn(settings), settings.step_deg);
 }

@@ -140,6 +140,13 @@ INSTANTIATE_TEST_SUITE_P(
              "symmetry", "0.07"},
         Case{"ObservabilityJustEnough", [](TurnStep& s, StepEvidence&) { s.observability = 0.081; },
              "accept", "none", ""},
+        Case{"StoodStillAndHardlyShown",
+             [](TurnStep& s, StepEvidence&) {
+                 s.observability = 0.09;
+                 set_error_deg(s, -9.9);
+             },
+             "reject", "symmetry", "hardly shows"},
+        Case{"StoodStillThoughItWouldShow", error_deg(-9.9), "reject", "mislabelled", "region"},
         Case{"StartsDisagree", [](TurnStep&, StepEvidence& e) { e.starts_agree = false; }, "reject",
              "symmetry", "different starts"},
         Case{"NotIndependent", [](TurnStep& s, StepEvidence&) { s.independent = false; }, "check",
