@@ -1,50 +1,37 @@
 #include <memory>
 
+#include "app/cell_options.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/number_checks.h"
-#include "app/progress_bar.h"
+#include "app/open_cell.h"
+#include "app/run_results.h"
+#include "app/threads.h"
+#include "app/turn_driver.h"
+#include "app/turn_session.h"
 #include "app/turn_work.h"
-#include "core/base/number_text.h"
-#include "core/base/units.h"
-#include "core/procedure/auto_turn.h"
-#include "core/session/cell_file.h"
-#include "core/session/journal_file.h"
-#include "core/session/session_recorder.h"
-#include "core/sim/sim_cell.h"
+#include "core/procedure/cell_effects.h"
+#include "core/procedure/region_stillness.h"
 
 namespace gripscan::app {
 namespace {
 namespace fs = std::filesystem;
 
 struct RunOptions {
-    std::string cell = "sim";
+    CellOptions cell;
     std::string out;
-    double step_deg = 10.0;
-    std::uint64_t seed = 1;
-    std::string gripper_model;
     std::string truth;
+    bool resume = false;
     TurnOptions turn;
 };
 
-Result<SimCell> open_cell(const RunOptions& options) {
-    if (options.cell != "sim") {
-        const auto cell = load_cell_file(options.cell);
-        if (!cell) return forward_error(cell.error());
-        if (!cell->robot) return input_error("{} names no robot", options.cell);
-        return device_error(
-            "robot dialect '{}' of {} is not built into this version; the "
-            "simulated cell is: --cell sim",
-            cell->robot->dialect, options.cell);
-    }
-    SimCellSettings settings;
-    settings.seed = options.seed;
-    if (!options.gripper_model.empty()) settings.gripper = options.gripper_model;
-    return SimCell::create(settings);
-}
-
-Status check_truth_folder(const RunOptions& options) {
+Status check_run(const RunOptions& options) {
+    if (Status sensible = check(options.cell); !sensible) return sensible;
     if (options.truth.empty()) return {};
+    if (!options.cell.simulated() || options.resume) {
+        return input_error(
+            "--truth is what the simulated cell of this run knows; {}",
+            options.resume ? "of a resumed one it knows the last part only" : "this is a real one");
+    }
     const auto inside = absolute_path(options.truth).lexically_relative(absolute_path(options.out));
     if (!inside.empty() && *inside.begin() != "..") {
         return input_error("the truth is written apart: {} lies inside the session {}",
@@ -53,67 +40,102 @@ Status check_truth_folder(const RunOptions& options) {
     return {};
 }
 
-SessionSpec spec_of(const SimCell& cell, const RunOptions& options) {
-    SessionSpec spec;
-    spec.step_deg = options.step_deg;
-    spec.region = cell.region();
-    spec.axis_hint = cell.axis_hint();
-    return spec;
+/// Everything of a run that has to live as long as its engine.
+struct Run {
+    Cell cell;
+    TurnSession session;
+    bool resumed = false;
+};
+
+Result<Run> open_run(const RunOptions& options) {
+    if (!options.resume || is_fresh_session(options.out)) {
+        auto cell = open_cell(options.cell);
+        if (!cell) return forward_error(cell.error());
+        auto session = begin_session(options.out, options.cell, *cell);
+        if (!session) return forward_error(session.error());
+        return Run{std::move(*cell), std::move(*session), false};
+    }
+    auto remembered = remember_session(options.out);
+    if (!remembered) return forward_error(remembered.error());
+    // Which cell it was is known; a cell file may say again where it is now.
+    CellOptions cell_options = remembered->options;
+    if (!options.cell.simulated()) cell_options.cell = options.cell.cell;
+    auto cell = open_cell(cell_options);
+    if (!cell) return forward_error(cell.error());
+    return Run{std::move(*cell),
+               TurnSession{std::move(remembered->store), std::move(remembered->spec),
+                           std::move(remembered->state)},
+               true};
 }
 
-Status record(SimCell& cell, const RunOptions& options, const Context& context) {
-    auto recorder = SessionRecorder::create(options.out, spec_of(cell, options), cell.rig());
-    if (!recorder) return forward_error(recorder.error());
-    auto journal = JournalFile::open(fs::path(options.out) / "journal");
-    if (!journal) return forward_error(journal.error());
-    Status begun = journal->write("command", {{"verb", "run gripper"},
-                                              {"cell", options.cell},
-                                              {"seed", fmt::format("{}", options.seed)},
-                                              {"step_deg", text_from_number(options.step_deg)},
-                                              {"version", GRIPSCAN_VERSION}});
-    if (!begun) return begun;
-    AutoTurnSettings settings;
-    settings.step_rad = rad_from_deg(options.step_deg);
-    settings.start_joint6_rad = cell.start_joint6_rad();
-    ProgressBar bar(context);
-    const Status taken =
-        take_turn(cell.robot(), cell.source(), settings, *recorder, *journal, bar.progress());
-    const Status noted = journal->write(
-        "result",
-        {{"verb", "run gripper"}, {"status", taken ? "recorded" : taken.error().message}});
-    return taken ? noted : taken;
+Result<CellEffects> effects_of(Run& run, const RunOptions& options, ResultKeeper& results,
+                               const ForEach& for_each) {
+    ComputeTurnSettings settings =
+        compute_settings_of(Session{options.out, run.session.spec, run.cell.rig, {}});
+    options.turn.apply_to(settings);
+    auto workspace = TurnWorkspace::create(run.cell.rig, run.session.spec.region, settings);
+    if (!workspace) return forward_error(workspace.error());
+    auto differs = region_stillness(run.cell.rig, run.session.spec.region);
+    if (!differs) return forward_error(differs.error());
+    CellEquipment equipment{.robot = run.cell.robot.get(),
+                            .source = *run.cell.camera,
+                            .rig = run.cell.rig,
+                            .region = run.session.spec.region,
+                            .axis_hint = run.session.spec.axis_hint,
+                            .T_robot_camera = run.cell.T_robot_camera,
+                            .session = options.out,
+                            .exposure = {.settle_s = run.cell.settle_s},
+                            .differs = std::move(*differs)};
+    return CellEffects(std::move(equipment), std::move(*workspace), run.session.store, results,
+                       for_each);
+}
+
+Result<DrivenTurn> drive(Run& run, const RunOptions& options, RunResults& results,
+                      const Context& context) {
+    WorkerPool pool(thread_count(context));
+    auto effects = effects_of(run, options, results, pool.for_each());
+    if (!effects) return forward_error(effects.error());
+    Engine engine(std::move(run.session.state), *effects, run.session.store,
+                  run.session.store.journal());
+    if (run.resumed) {
+        engine.tell(event::ProgramEnded{});
+        if (auto taken = engine.pump(std::chrono::seconds(1)); !taken) {
+            return forward_error(taken.error());
+        }
+    }
+    return drive_turn(engine, {run.resumed}, context);
 }
 
 Result<ExitStatus> run_gripper(const RunOptions& options, const Context& context) {
-    if (Status apart = check_truth_folder(options); !apart) return forward_error(apart.error());
-    auto cell = open_cell(options);
-    if (!cell) return forward_error(cell.error());
-    if (Status recorded = record(*cell, options, context); !recorded) {
-        if (recorded.error().kind == ErrorKind::kCancelled) {
-            say(context, fmt::format("stopped; what was recorded lies in {}", options.out));
-        }
-        return forward_error(recorded.error());
+    if (Status sensible = check_run(options); !sensible) return forward_error(sensible.error());
+    auto run = open_run(options);
+    if (!run) return forward_error(run.error());
+    RunResults results(options.out, options.turn);
+    const auto driven = drive(*run, options, results, context);
+    if (!driven) {
+        say(context, fmt::format("what was recorded lies in {}; go on with: gripscan run gripper "
+                                 "--resume --out {}",
+                                 options.out, options.out));
+        return forward_error(driven.error());
     }
     if (!options.truth.empty()) {
-        if (Status s = cell->write_truth(options.truth); !s) return forward_error(s.error());
+        if (Status s = run->cell.simulated->write_truth(options.truth); !s) {
+            return forward_error(s.error());
+        }
     }
-    const auto work = compute_session(options.out, options.turn, context);
-    if (!work) return forward_error(work.error());
-    const auto status = deliver(*work, fs::path(options.out) / "results", context);
-    if (!status) return status;
-    auto journal = JournalFile::open(fs::path(options.out) / "journal");
-    if (!journal) return forward_error(journal.error());
-    Status noted = journal->write(
-        "result",
-        {{"verb", "run gripper"}, {"status", *status == kDone ? "accepted" : "not trusted"}});
-    if (!noted) return forward_error(noted.error());
-    return status;
-}
-
-std::string gripper_names() {
-    std::string names;
-    for (const auto& name : sim_grippers()) names += (names.empty() ? "" : "|") + name;
-    return names;
+    switch (driven->end) {
+        case TurnEnd::kFinished:
+        case TurnEnd::kStopped:
+            return results.deliver(driven->end == TurnEnd::kFinished, context);
+        case TurnEnd::kRehearsed:
+            tell_rehearsal(driven->state, context);
+            return kDone;
+        case TurnEnd::kCellRefused:
+        case TurnEnd::kNothing:
+            tell_refusal(driven->state, context);
+            break;
+    }
+    return kNotTrusted;
 }
 
 }  // namespace
@@ -122,26 +144,24 @@ void add_run(const CommandLine& line) {
     auto options = std::make_shared<RunOptions>();
     CLI::App* run = line.app.add_subcommand("run", "The procedure without a window");
     CLI::App* command = run->add_subcommand("gripper", "Register the bare gripper by a whole turn");
-    command->add_option("--cell", options->cell, "Cell file, or sim: the simulated cell (sim)")
-        ->option_text("FILE|sim");
+    add_cell_options(*command, options->cell);
     command->add_option("--out", options->out, "Session folder to record into")
         ->required()
         ->option_text("DIR");
-    command->add_option("--step-deg", options->step_deg, "Step of joint 6 (10)")
-        ->check(finite_number())
-        ->check(CLI::Range(0.5, 120.0))
-        ->option_text("DEG");
-    command->add_option("--seed", options->seed, "Of the simulated cell (1)")
-        ->check(unsigned_number())
-        ->option_text("N");
-    command->add_option("--gripper-model", options->gripper_model, "Simulated gripper")
-        ->check(CLI::IsMember(sim_grippers()))
-        ->option_text(gripper_names());
+    command->add_flag("--resume", options->resume,
+                      "Go on with the session in --out where it was interrupted");
     command->add_option("--truth", options->truth, "Write the simulator's truth there, apart")
         ->option_text("DIR");
     add_turn_options(*command, options->turn);
     add_common_options(*command, line.common);
-    command->footer("Example:\n  gripscan run gripper --cell sim --out monday --seed 3");
+    command->footer(
+        "Examples:\n"
+        "  gripscan run gripper --cell sim --out monday --seed 3\n"
+        "  gripscan run gripper --out monday --resume\n"
+        "  gripscan run gripper --cell cell.yaml --out rehearsal      DRY: nothing moves\n"
+        "  gripscan run gripper --cell cell.yaml --out tuesday --live\n"
+        "\n"
+        "No verdict and no stop of gripscan is a safety function.");
     command->callback([options, &action = line.action] {
         action = [options](const Context& context) { return run_gripper(*options, context); };
     });

@@ -22,6 +22,8 @@ void add_stereo(const CommandLine& line);
 void add_calibrate(const CommandLine& line);
 void add_export(const CommandLine& line);
 void add_report(const CommandLine& line);
+void add_robot_check(const CommandLine& line);
+void add_simcell(const CommandLine& line);
 
 /// For a command that only groups others, once those are added: without one it names them.
 void need_subcommand(CLI::App& group);

@@ -61,6 +61,8 @@ int parse_and_run(int argc, char** argv) {
     add_calibrate(line);
     add_export(line);
     add_report(line);
+    add_robot_check(line);
+    add_simcell(line);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

@@ -39,6 +39,11 @@ Result<ExitStatus> deliver(const TurnWork& work, const fs::path& out, const Cont
     if (Status written = write_results(out, report, from); !written) {
         return forward_error(written.error());
     }
+    return tell_results(work, out, context);
+}
+
+ExitStatus tell_results(const TurnWork& work, const fs::path& out, const Context& context) {
+    const TurnReport& report = work.computed.report;
     const fs::path merged = absolute_path(out) / "template.pcd";
     if (context.options.json) {
         print_result(turns_json(report, {merged.string(), report.merged.size()}));

@@ -24,6 +24,10 @@ struct TurnWork {
 [[nodiscard]] Result<ExitStatus> deliver(const TurnWork& work, const std::filesystem::path& out,
                                          const Context& context);
 
+/// Only the printing: the results lie in `out` already.
+[[nodiscard]] ExitStatus tell_results(const TurnWork& work, const std::filesystem::path& out,
+                                      const Context& context);
+
 /// 0 if every step is accepted, else 1.
 [[nodiscard]] ExitStatus trust(const TurnReport& report);
 

@@ -5,7 +5,7 @@
 
 #include "core/procedure/view_evidence.h"
 #include "core/registration/axis_lock.h"
-#include "core/registration/judged_step.h"
+#include "core/registration/diagnosed_step.h"
 #include "core/registration/turn_rows.h"
 
 namespace gripscan {
@@ -129,7 +129,7 @@ void TurnWorkspace::forget(int index) {
     });
 }
 
-void TurnWorkspace::set_known_axis(const AxisEstimate& axis) {
+void TurnWorkspace::set_known_axis(const std::optional<AxisEstimate>& axis) {
     settings_.turn.known_axis = axis;
 }
 
@@ -230,8 +230,8 @@ Result<StepResult> TurnWorkspace::last_step(std::span<const RecordedCapture> so_
         if (!locked) return forward_error(std::move(locked.error()));
         axis = *locked;
     }
-    JudgedStep judged =
-        judged_step(end(last - 1), end(last), turn->steps.back(), axis, settings_.turn);
+    DiagnosedStep judged =
+        diagnosed_step(end(last - 1), end(last), turn->steps.back(), axis, settings_.turn);
     judged.step.index = static_cast<int>(last);
     StepResult result{std::move(judged.step), std::move(judged.evidence), {}};
     result.lines = evidence_lines(result.step, result.evidence, settings_.turn.limits);

@@ -63,7 +63,7 @@ class TurnWorkspace {
 
     /// The axis as a warm-up found it: used until three free steps have shown it, and by steps that
     /// are locked to it.
-    void set_known_axis(const AxisEstimate& axis);
+    void set_known_axis(const std::optional<AxisEstimate>& axis);
 
     /// The step between the last two used captures of `so_far`, all of which must have been added.
     /// Errors: fewer than two, one that was not added, cancelled.

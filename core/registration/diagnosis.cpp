@@ -52,6 +52,11 @@ void name_bad_images(TurnStep& step, const StepEvidence& evidence) {
     } else if (!explained) {
         step.cause = fault.cause;
         step.sentence = said + "; " + step.sentence;
+    } else if (step.verdict == Verdict::kAccept && evidence.image_fault_in == step.to) {
+        // The numbers hold, but a better picture of this view can be had: not to be merged unseen.
+        step.verdict = Verdict::kCheck;
+        step.cause = fault.cause;
+        step.sentence = said + "; " + step.sentence;
     } else {
         step.sentence += "; note: " + said;
     }

@@ -6,7 +6,7 @@
 #include "core/registration/align_surfaces.h"
 #include "core/registration/axis_lock.h"
 #include "core/registration/common_cause.h"
-#include "core/registration/judged_step.h"
+#include "core/registration/diagnosed_step.h"
 #include "core/registration/merge.h"
 #include "core/registration/turn_poses.h"
 #include "core/registration/turn_rows.h"
@@ -75,14 +75,14 @@ Status find_axis(const Turn& turn, TurnReport& report) {
 
 /// Table 1, judged.
 void fill_rows(const Turn& turn, TurnReport& report) {
-    std::vector<JudgedStep> judged(turn.size() - 1);
+    std::vector<DiagnosedStep> judged(turn.size() - 1);
     turn.for_each(judged.size(), [&](std::size_t i) {
         if (turn.progress.cancelled()) return;
-        judged[i] = judged_step(turn.end(i), turn.end(i + 1), turn.given.steps[i], report.axis,
+        judged[i] = diagnosed_step(turn.end(i), turn.end(i + 1), turn.given.steps[i], report.axis,
                                 turn.settings);
         judged[i].step.index = static_cast<int>(i) + 1;
     });
-    for (JudgedStep& one : judged) {
+    for (DiagnosedStep& one : judged) {
         report.steps.push_back(std::move(one.step));
         report.evidence.push_back(std::move(one.evidence));
     }
@@ -99,7 +99,7 @@ bool bridge_holds(const Turn& turn, const std::optional<AxisEstimate>& axis, std
     StepFinding finding{*alignment, std::nullopt};
     if (turn.given.camera_shift) finding.camera_shift = turn.given.camera_shift(from, to);
     const TurnStep step =
-        judged_step(turn.end(from), turn.end(to), finding, axis, turn.settings).step;
+        diagnosed_step(turn.end(from), turn.end(to), finding, axis, turn.settings).step;
     if (!step.T || !reported_rad(step)) return false;
     return step.verdict == Verdict::kAccept ||
            (step.mode == TurnMode::kAxisLocked && step.verdict == Verdict::kCheck);

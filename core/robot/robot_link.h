@@ -5,6 +5,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/geometry/pose.h"
@@ -18,6 +19,10 @@ using JointAngles = std::array<double, 6>;
 struct RobotReading {
     JointAngles joints_rad{};
     Pose T_world_tool = Pose::Identity();  ///< tool0 in FANUC WORLD, m
+
+    friend bool operator==(const RobotReading& a, const RobotReading& b) {
+        return a.joints_rad == b.joints_rad && a.T_world_tool.matrix() == b.T_world_tool.matrix();
+    }
 };
 
 /// Who is at the other end.
@@ -49,8 +54,11 @@ enum class RobotFault {
     kStaleId,       ///< a command id that the controller has passed: `last_id` tells it
     kStopped,       ///< the motion ended because it was told to
     kOffTarget,     ///< the motion ended somewhere else, or took too long
+    kOtherJoint,    ///< joints 1 … 5 are not where they were: what the turn was for is void
     kInternal,      ///< the controller's own failure
 };
+/// "unreachable", "lost", "out_of_range", …: for the journal.
+[[nodiscard]] std::string_view word(RobotFault fault);
 
 struct RobotError {
     RobotFault fault = RobotFault::kLost;

@@ -59,6 +59,24 @@ Problem read_status(CaptureRow& row, const std::string& cell) {
     return fmt::format("'{}' is none of used, superseded, excluded", cell);
 }
 
+Problem read_mode(CaptureRow& row, const std::string& cell) {
+    for (const auto mode : {TurnMode::kFree, TurnMode::kAxisLocked}) {
+        if (cell != word(mode)) continue;
+        row.mode = mode;
+        return {};
+    }
+    return fmt::format("'{}' is none of free, axis-locked", cell);
+}
+
+std::string mode_cell(const CaptureRow& row) {
+    return row.mode == TurnMode::kFree ? "" : std::string(word(row.mode));
+}
+
+Problem read_note(CaptureRow& row, const std::string& cell) {
+    row.note = cell;
+    return {};
+}
+
 template <std::size_t kJoint>
 constexpr CaptureColumn joint_column(std::string_view name) {
     return {name,
@@ -117,6 +135,8 @@ constexpr std::array kColumns{
         [](const CaptureRow& row) { return row.attempt ? fmt::format("{}", *row.attempt) : ""; }},
     CaptureColumn{"status", read_status,
                   [](const CaptureRow& row) { return std::string(word(row.status)); }},
+    CaptureColumn{"mode", read_mode, mode_cell},
+    CaptureColumn{"note", read_note, [](const CaptureRow& row) { return row.note; }},
 };
 
 }  // namespace

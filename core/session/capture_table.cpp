@@ -9,12 +9,6 @@
 namespace gripscan {
 namespace {
 
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 Result<std::vector<std::string>> read_header(const std::string& file, const CsvLine& line) {
     std::vector<std::string> names;
     std::set<std::string> seen;
@@ -60,11 +54,6 @@ Result<CaptureRow> read_row(const std::string& file, const std::vector<std::stri
 }
 
 }  // namespace
-
-std::string_view word(CaptureStatus status) {
-    constexpr std::array<std::string_view, 3> kWords{"used", "superseded", "excluded"};
-    return kWords[static_cast<std::size_t>(status)];
-}
 
 std::vector<std::string> all_capture_columns() {
     std::vector<std::string> names;

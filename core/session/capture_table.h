@@ -8,11 +8,9 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/procedure/capture_record.h"
 
 namespace gripscan {
-
-enum class CaptureStatus { kUsed, kSuperseded, kExcluded };
-[[nodiscard]] std::string_view word(CaptureStatus status);
 
 struct CaptureRow {
     int index = 0;
@@ -26,8 +24,10 @@ struct CaptureRow {
     std::optional<double> t_s;
     std::optional<int> attempt;
     CaptureStatus status = CaptureStatus::kUsed;
-    std::vector<std::string> other;  ///< cells of the unknown columns, in their order
-    int line = 0;                    ///< in the file; 0: not from a file
+    TurnMode mode = TurnMode::kFree;  ///< of the step that leads here: free or axis-locked
+    std::string note;                 ///< the operator's, who accepted that step; empty: did not
+    std::vector<std::string> other;   ///< cells of the unknown columns, in their order
+    int line = 0;                     ///< in the file; 0: not from a file
 };
 
 struct CaptureTable {
@@ -35,7 +35,7 @@ struct CaptureTable {
     std::vector<CaptureRow> rows;      ///< in order of the file, indices rising
 };
 
-/// Header of a new session: every column of the contract.
+/// Header of a new session: every column of the contract, then mode and note.
 [[nodiscard]] std::vector<std::string> all_capture_columns();
 
 /// Columns are found by name, unknown ones kept, missing ones empty. Numbers that are none, indices
@@ -44,5 +44,8 @@ struct CaptureTable {
                                                        const std::string& text);
 /// The columns as found, and those of the contract that have got a value since.
 [[nodiscard]] std::string capture_table_text(const CaptureTable& table);
+
+/// The line of a capture whose images lie in frames/; what is not known stays empty.
+[[nodiscard]] CaptureRow row_of(const CaptureRecord& capture);
 
 }  // namespace gripscan

@@ -76,6 +76,12 @@ Result<std::vector<CsvLine>> parse_csv(std::string_view file, std::string_view t
     return CsvParser(file, text).parse();
 }
 
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string::npos) return "";
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 std::string csv_line(const std::vector<std::string>& cells) {
     std::string line;
     for (const auto& cell : cells) {

@@ -17,6 +17,9 @@ struct CsvLine {
 /// Empty lines are left out. `file` is for messages only.
 [[nodiscard]] Result<std::vector<CsvLine>> parse_csv(std::string_view file, std::string_view text);
 
+/// A cell without the blanks around it.
+[[nodiscard]] std::string trimmed(const std::string& text);
+
 /// Cells joined by commas, quoted where needed, with the line end.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
 

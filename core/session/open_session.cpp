@@ -24,12 +24,6 @@ Status check_row(const fs::path& csv, const CaptureRow& row, bool has_rig) {
     return {};
 }
 
-Result<SessionSpec> read_spec(const fs::path& path) {
-    const auto text = read_whole_file(path);
-    if (!text) return forward_error(text.error());
-    return parse_session_spec(path, *text);
-}
-
 Result<CaptureTable> read_table(const fs::path& path, bool has_rig) {
     const auto text = read_whole_file(path);
     if (!text) return forward_error(text.error());
@@ -60,7 +54,7 @@ Result<Session> open_session(const fs::path& folder) {
     }
     Session session;
     session.folder = folder;
-    auto spec = read_spec(folder / "session.yaml");
+    auto spec = read_session_spec(folder / "session.yaml");
     if (!spec) return forward_error(spec.error());
     session.spec = std::move(*spec);
     const bool has_rig = fs::exists(folder / "rig.yaml", code);

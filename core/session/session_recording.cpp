@@ -49,6 +49,8 @@ RecordedCapture capture_of(const Session& session, std::size_t i) {
     capture.index = row.index;
     capture.used = row.status == CaptureStatus::kUsed;
     capture.attempts = attempts_of(session.table.rows, i);
+    capture.mode = row.mode;
+    capture.note = row.note;
     capture.commanded_rad = rad_of(row.commanded_deg);
     capture.joint6_rad = rad_of(row.joints_deg[5]);
     capture.joint6_after_rad = rad_of(row.j6_after_deg);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/atomic_file.h"
 #include "core/base/number_text.h"
 #include "core/session/yaml_parts.h"
 
@@ -19,21 +20,6 @@ SessionKind read_kind(StrictYaml& yaml) {
               kind ? fmt::format("is '{}'; known are gripper, object, environment, scene", *kind)
                    : "is missing; known are gripper, object, environment, scene");
     return SessionKind::kGripper;
-}
-
-std::string list(const Eigen::Vector3d& v) {
-    return fmt::format("[{}, {}, {}]", text_from_number(v.x()), text_from_number(v.y()),
-                       text_from_number(v.z()));
-}
-
-/// A path as a YAML double-quoted scalar: only backslash and quote need care.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + '"';
 }
 
 }  // namespace
@@ -63,24 +49,22 @@ Result<SessionSpec> parse_session_spec(const std::filesystem::path& path, const 
     return spec;
 }
 
+Result<SessionSpec> read_session_spec(const std::filesystem::path& path) {
+    const auto text = read_whole_file(path);
+    if (!text) return forward_error(text.error());
+    return parse_session_spec(path, *text);
+}
+
 std::string session_spec_text(const SessionSpec& spec) {
     std::string text = "format: gripscan-session/1\n";
     text += fmt::format("kind: {}\n", word(spec.kind));
     if (spec.step_deg) text += fmt::format("step_deg: {}\n", text_from_number(*spec.step_deg));
-    if (spec.region) {
-        text += fmt::format("region: {{min: {}, max: {}}}\n", list(spec.region->min_m),
-                            list(spec.region->max_m));
-    }
-    if (spec.axis_hint) text += fmt::format("axis_hint: {}\n", list(*spec.axis_hint));
+    if (spec.region) text += region_line(*spec.region);
+    if (spec.axis_hint) text += axis_hint_line(*spec.axis_hint);
     if (spec.gripper_template) {
-        text += fmt::format("gripper_template: {}\n", quoted(*spec.gripper_template));
+        text += fmt::format("gripper_template: {}\n", yaml_quoted(*spec.gripper_template));
     }
-    const LimitsDeg& limits = spec.limits;
-    text += fmt::format(
-        "limits: {{angle_deg: {}, sigmas: {}, overlap: {}, slip_mm: {}, tilt_deg: {}}}\n",
-        text_from_number(limits.angle_deg), text_from_number(limits.sigmas),
-        text_from_number(limits.overlap), text_from_number(limits.slip_mm),
-        text_from_number(limits.tilt_deg));
+    text += limits_line(spec.limits);
     return text;
 }
 

@@ -35,6 +35,7 @@ struct SessionSpec {
 /// Strict: unknown keys, wrong types and values that make no sense are errors with file and line.
 [[nodiscard]] Result<SessionSpec> parse_session_spec(const std::filesystem::path& path,
                                                      const std::string& text);
+[[nodiscard]] Result<SessionSpec> read_session_spec(const std::filesystem::path& path);
 [[nodiscard]] std::string session_spec_text(const SessionSpec& spec);
 
 }  // namespace gripscan

@@ -1,5 +1,7 @@
 #include "core/session/yaml_parts.h"
 
+#include "core/base/number_text.h"
+
 namespace gripscan {
 namespace {
 
@@ -11,6 +13,11 @@ void read_positive(StrictYaml& yaml, std::string_view key, double& value, double
         return;
     }
     value = *number;
+}
+
+std::string list(const Eigen::Vector3d& v) {
+    return fmt::format("[{}, {}, {}]", text_from_number(v.x()), text_from_number(v.y()),
+                       text_from_number(v.z()));
 }
 
 }  // namespace
@@ -63,6 +70,35 @@ LimitsDeg read_limits(StrictYaml& yaml) {
     read_positive(*map, "tilt_deg", limits.tilt_deg, 180.0);
     map->reject_other_keys();
     return limits;
+}
+
+std::string region_line(const Box& region) {
+    return fmt::format("region: {{min: {}, max: {}}}\n", list(region.min_m), list(region.max_m));
+}
+
+std::string axis_hint_line(const Eigen::Vector3d& axis_hint) {
+    return fmt::format("axis_hint: {}\n", list(axis_hint));
+}
+
+std::string limits_line(const LimitsDeg& limits) {
+    return fmt::format(
+        "limits: {{angle_deg: {}, sigmas: {}, overlap: {}, slip_mm: {}, tilt_deg: {}}}\n",
+        text_from_number(limits.angle_deg), text_from_number(limits.sigmas),
+        text_from_number(limits.overlap), text_from_number(limits.slip_mm),
+        text_from_number(limits.tilt_deg));
+}
+
+std::string yaml_quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (static_cast<unsigned char>(c) < 0x20) {
+            result += fmt::format("\\x{:02x}", static_cast<int>(c));
+            continue;
+        }
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result + '"';
 }
 
 }  // namespace gripscan

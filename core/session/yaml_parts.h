@@ -12,4 +12,11 @@ void require_format(StrictYaml& yaml, std::string_view format);
 [[nodiscard]] std::optional<Eigen::Vector3d> read_axis_hint(StrictYaml& yaml);
 [[nodiscard]] LimitsDeg read_limits(StrictYaml& yaml);
 
+// The same as lines of a file.
+[[nodiscard]] std::string region_line(const Box& region);
+[[nodiscard]] std::string axis_hint_line(const Eigen::Vector3d& axis_hint);
+[[nodiscard]] std::string limits_line(const LimitsDeg& limits);
+/// A double-quoted scalar that reads back as the text.
+[[nodiscard]] std::string yaml_quoted(const std::string& text);
+
 }  // namespace gripscan

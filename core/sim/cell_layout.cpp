@@ -100,6 +100,18 @@ StereoRig default_rig() {
     return rig;
 }
 
+StereoRig shrunk(const StereoRig& rig, unsigned fraction) {
+    StereoRig small = rig;
+    const int n = static_cast<int>(fraction);
+    small.image = {rig.image.width / n, rig.image.height / n};
+    for (Eigen::Matrix3d* K : {&small.K_left, &small.K_right}) {
+        // Pixel centres are whole numbers, so places scale about the corner (-0.5, -0.5).
+        K->topRows<2>() /= n;
+        K->topRightCorner<2, 1>().array() += 0.5 / n - 0.5;
+    }
+    return small;
+}
+
 CellLayout make_layout(std::uint64_t seed) {
     CellLayout layout;
     layout.joints_rad = {rad_from_deg(-2.0), rad_from_deg(-4.0), rad_from_deg(1.5),

@@ -26,6 +26,9 @@ struct CellLayout {
 /// right camera is turned a little against the left one.
 [[nodiscard]] StereoRig default_rig();
 
+/// The same camera with `fraction` times fewer pixels a side.
+[[nodiscard]] StereoRig shrunk(const StereoRig& rig, unsigned fraction);
+
 /// A point on the axis of joint 6, this far out of the flange, lies 0.74 m before the camera.
 inline constexpr double kGripperCentre_m = 0.085;
 inline constexpr double kDistance_m = 0.74;

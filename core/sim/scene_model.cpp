@@ -36,6 +36,7 @@ std::array<Pose, SceneModel::kBodies> body_poses(const JointAngles& joints_rad) 
     const auto T_world_link = link_poses(joints_rad);
     for (std::size_t i = 0; i < T_world_link.size(); ++i) T_world_body[1 + i] = T_world_link[i];
     T_world_body[SceneModel::kTool] = tool_pose(joints_rad);
+    T_world_body[SceneModel::kIntruder] = Pose::Identity();
     return T_world_body;
 }
 

@@ -17,18 +17,19 @@ struct Body {
 };
 
 /// Body 0 is the surroundings (in WORLD), 1 the arm's base, 2 … 7 links 1 … 6, 8 what is mounted
-/// on the flange (in tool0).
+/// on the flange (in tool0), 9 a strange thing that may come (in WORLD).
 struct SceneModel {
-    static constexpr std::size_t kBodies = 9;
+    static constexpr std::size_t kBodies = 10;
     static constexpr std::size_t kSurroundings = 0;
     static constexpr std::size_t kFlange = 7;
     static constexpr std::size_t kTool = 8;
+    static constexpr std::size_t kIntruder = 9;
     std::array<Body, kBodies> bodies;
 };
 
 /// Bodies that turn with joint 6.
 [[nodiscard]] constexpr bool turns_with_joint6(std::size_t body) {
-    return body >= SceneModel::kFlange;
+    return body == SceneModel::kFlange || body == SceneModel::kTool;
 }
 
 [[nodiscard]] std::array<Pose, SceneModel::kBodies> body_poses(const JointAngles& joints_rad);

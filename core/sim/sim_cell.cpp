@@ -1,47 +1,20 @@
 #include "core/sim/sim_cell.h"
 
-#include <fmt/ranges.h>
-#include <algorithm>
-#include <cmath>
-
+#include "core/base/units.h"
 #include "core/concurrency/worker_pool.h"
+#include "core/sim/cabinet.h"
 #include "core/sim/cell_layout.h"
-#include "core/sim/grippers.h"
-#include "core/sim/objects.h"
+#include "core/sim/frame_server.h"
+#include "core/sim/free_ports.h"
+#include "core/sim/guarded_source.h"
+#include "core/sim/intruder.h"
+#include "core/sim/link_server.h"
 #include "core/sim/seeds.h"
-#include "core/sim/sim_camera.h"
-#include "core/sim/sim_robot.h"
+#include "core/sim/sim_cell_settings.h"
 #include "core/sim/truth.h"
 
 namespace gripscan {
 namespace {
-
-Status check(const SimCellSettings& settings) {
-    const auto known = [](const std::vector<std::string>& names, const std::string& name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    if (!known(sim_grippers(), settings.gripper)) {
-        return input_error("simulated cell: no gripper is called '{}'; there are {}",
-                           settings.gripper, fmt::join(sim_grippers(), ", "));
-    }
-    if (!settings.object.empty() && !known(sim_objects(), settings.object)) {
-        return input_error("simulated cell: no object is called '{}'; there are {}",
-                           settings.object, fmt::join(sim_objects(), ", "));
-    }
-    const auto in_range = [](double value, double limit) { return value >= 0.0 && value <= limit; };
-    if (!in_range(settings.noise_levels, 50.0)) {
-        return input_error("simulated cell: noise of {} levels; it must be 0 … 50",
-                           settings.noise_levels);
-    }
-    if (!in_range(settings.blur_px, 20.0)) {
-        return input_error("simulated cell: blur of {} px; it must be 0 … 20", settings.blur_px);
-    }
-    if (!in_range(settings.texture_contrast, 60.0)) {
-        return input_error("simulated cell: texture contrast of {} levels; it must be 0 … 60",
-                           settings.texture_contrast);
-    }
-    return {};
-}
 
 sim::SceneContents contents_of(const SimCellSettings& settings, const sim::CellLayout& layout) {
     const double levels =
@@ -56,46 +29,113 @@ sim::SceneContents contents_of(const SimCellSettings& settings, const sim::CellL
     return contents;
 }
 
+/// What the robot's and the camera's side have in common, from the same seed every time.
+struct Plan {
+    sim::CellLayout layout;
+    std::vector<sim::Fault> faults;
+    sim::StepFaults step_faults;
+};
+
+Result<Plan> plan_of(const SimCellSettings& settings) {
+    auto faults = sim::parse_faults(settings.faults);
+    if (!faults) return forward_error(faults.error());
+    Plan plan{sim::make_layout(settings.seed), std::move(*faults), {}};
+    plan.layout.rig = sim::shrunk(plan.layout.rig, settings.image_fraction);
+    double& joint6_rad = plan.layout.joints_rad[5];
+    if (settings.start_joint6_deg) joint6_rad = rad_from_deg(*settings.start_joint6_deg);
+    plan.step_faults = sim::StepFaults(plan.faults, joint6_rad, rad_from_deg(settings.step_deg),
+                                       sim::seed_for(settings.seed, sim::Use::kFaults));
+    return plan;
+}
+
 }  // namespace
 
-std::vector<std::string> sim_grippers() {
-    return sim::gripper_names();
-}
-std::vector<std::string> sim_objects() {
-    return sim::object_names();
-}
-
+/// In the order in which they need each other: the servers end first.
 struct SimCell::Impl {
     sim::CellLayout layout;
+    sim::StepFaults faults;
     sim::SceneModel model;
     Box region;
     Eigen::Vector3d axis_hint;
     WorkerPool pool{threads_wanted()};
-    sim::SimRobot robot;
+    sim::Cabinet cabinet;
     std::unique_ptr<sim::SimCamera> camera;
+    std::optional<sim::GuardedSource> source;
+    std::optional<sim::LinkServer> motion;
+    std::optional<sim::LinkServer> monitor;
+    std::optional<sim::FrameServer> frames;
 
-    Impl(const sim::CellLayout& cell_layout, std::uint64_t seed)
-        : layout(cell_layout),
-          axis_hint(joint6_axis_in_camera(cell_layout).direction),
-          robot(cell_layout.joints_rad, sim::seed_for(seed, sim::Use::kRobot)) {}
+    Impl(const Plan& plan, const SimCellSettings& settings)
+        : layout(plan.layout),
+          faults(plan.step_faults),
+          axis_hint(joint6_axis_in_camera(plan.layout).direction),
+          cabinet(sim::ArmMotion(plan.layout.joints_rad,
+                                 sim::seed_for(settings.seed, sim::Use::kRobot), plan.step_faults),
+                  {}, plan.faults,
+                  settings.clock ? settings.clock : sim::cell_clock(settings.time_scale)) {}
+
+    Status build_scene(const SimCellSettings& settings);
+    Status serve(const SimCellSettings& settings);
+    [[nodiscard]] sim::Moment look(const FrameRequest& request) const;
 };
 
-Result<SimCell> SimCell::create(const SimCellSettings& settings) {
-    if (Status ok = check(settings); !ok) return forward_error(ok.error());
-    auto impl = std::make_unique<Impl>(sim::make_layout(settings.seed), settings.seed);
-    sim::SceneContents contents = contents_of(settings, impl->layout);
-    impl->model = sim::make_scene(contents);
-    impl->region = sim::registration_area(impl->layout, impl->model);
+Status SimCell::Impl::build_scene(const SimCellSettings& settings) {
+    sim::SceneContents contents = contents_of(settings, layout);
+    model = sim::make_scene(contents);
+    region = sim::registration_area(layout, model);
     if (!settings.with_arm) {
         contents.with_arm = false;
-        impl->model = sim::make_scene(contents);
+        model = sim::make_scene(contents);
     }
-    auto camera = sim::SimCamera::create(
-        impl->layout, impl->model, impl->region,
-        {{settings.blur_px, settings.noise_levels}, sim::seed_for(settings.seed, sim::Use::kNoise)},
-        [robot = &impl->robot] { return robot->arm().true_rad; }, impl->pool.for_each());
-    if (!camera) return forward_error(camera.error());
-    impl->camera = std::move(*camera);
+    if (const double thickness_m = faults.planned_intruder_m(); thickness_m > 0.0) {
+        model.bodies[sim::SceneModel::kIntruder] =
+            sim::make_intruder(thickness_m, region, layout.T_world_camera,
+                               sim::seed_for(settings.seed, sim::Use::kFaults, 1));
+    }
+    constexpr double kReach_m = 0.25;  // of the longest gripper with the longest object
+    const sim::CameraSettings optics{{settings.blur_px, settings.noise_levels},
+                                     sim::seed_for(settings.seed, sim::Use::kNoise),
+                                     faults.slack_m(kReach_m)};
+    auto made = sim::SimCamera::create(
+        layout, model, region, optics,
+        [this](const FrameRequest& request) { return look(request); }, pool.for_each());
+    if (!made) return forward_error(made.error());
+    camera = std::move(*made);
+    source.emplace(*camera);
+    return {};
+}
+
+Status SimCell::Impl::serve(const SimCellSettings& settings) {
+    auto ports = sim::open_listeners(settings.port, settings.serve_frames ? 3 : 2);
+    if (!ports) return forward_error(ports.error());
+    motion.emplace(std::move((*ports)[0]), sim::LinkKind::kMotion, cabinet);
+    monitor.emplace(std::move((*ports)[1]), sim::LinkKind::kMonitor, cabinet);
+    if (settings.serve_frames) {
+        frames.emplace(std::move((*ports)[2]), *source,
+                       frames::Description{layout.rig, region, axis_hint});
+    }
+    return {};
+}
+
+sim::Moment SimCell::Impl::look(const FrameRequest& request) const {
+    const sim::ArmState arm = cabinet.arm();
+    sim::Moment moment;
+    moment.true_rad = arm.true_rad;
+    moment.T_tool_part = faults.T_tool_part(arm.joint6_rad);
+    moment.T_camera_moved = faults.T_camera_moved(arm.joint6_rad);
+    moment.intruder = faults.intruder_m(arm.joint6_rad) > 0.0;
+    moment.defocus_px = faults.defocus_px(arm.joint6_rad);
+    moment.glare_px = faults.glare_px(arm.joint6_rad, request.attempt);
+    return moment;
+}
+
+Result<SimCell> SimCell::create(const SimCellSettings& settings) {
+    if (Status ok = sim::check(settings); !ok) return forward_error(ok.error());
+    const auto plan = plan_of(settings);
+    if (!plan) return forward_error(plan.error());
+    auto impl = std::make_unique<Impl>(*plan, settings);
+    if (Status ok = impl->build_scene(settings); !ok) return forward_error(ok.error());
+    if (Status ok = impl->serve(settings); !ok) return forward_error(ok.error());
     return SimCell(std::move(impl));
 }
 
@@ -104,6 +144,16 @@ SimCell::SimCell(SimCell&&) noexcept = default;
 SimCell& SimCell::operator=(SimCell&&) noexcept = default;
 SimCell::~SimCell() = default;
 
+std::uint16_t SimCell::motion_port() const {
+    return impl_->motion->port();
+}
+std::uint16_t SimCell::monitor_port() const {
+    return impl_->monitor->port();
+}
+std::optional<std::uint16_t> SimCell::frames_port() const {
+    if (!impl_->frames) return std::nullopt;
+    return impl_->frames->port();
+}
 const StereoRig& SimCell::rig() const {
     return impl_->layout.rig;
 }
@@ -117,16 +167,16 @@ double SimCell::start_joint6_rad() const {
     return impl_->layout.joints_rad[5];
 }
 StereoSource& SimCell::source() {
-    return *impl_->camera;
+    return *impl_->source;
 }
-RobotLink& SimCell::robot() {
-    return impl_->robot;
+sim::Cabinet& SimCell::cabinet() {
+    return impl_->cabinet;
 }
 
 Status SimCell::write_truth(const std::filesystem::path& folder) const {
-    return sim::write_truth_files(
-        {impl_->layout, impl_->model, impl_->region, impl_->camera->grabbed()}, folder,
-        impl_->pool.for_each());
+    const sim::Moments captures = impl_->source->grabbed();
+    return sim::write_truth_files({impl_->layout, impl_->model, impl_->region, captures}, folder,
+                                  impl_->pool.for_each());
 }
 
 }  // namespace gripscan

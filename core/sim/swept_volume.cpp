@@ -15,9 +15,11 @@ constexpr int kSegments = 96;
 /// Largest distance from the axis in every slice along it.
 class Slices {
   public:
-    Slices(double low_m, double high_m)
-        : low_m_(low_m),
-          radius_m_(static_cast<std::size_t>((high_m - low_m) / kSlice_m) + 1, 0.0) {}
+    Slices(double low_m, double high_m, double slack_m)
+        : low_m_(low_m - slack_m),
+          slack_m_(slack_m),
+          radius_m_(static_cast<std::size_t>((high_m - low_m + 2.0 * slack_m) / kSlice_m) + 1,
+                    0.0) {}
 
     /// A triangle's distance from the axis is largest at a corner of it (or of the piece of it in
     /// a slice), so no slice between its corners needs more than their maximum.
@@ -30,8 +32,8 @@ class Slices {
             low = std::min(low, p.z());
             high = std::max(high, p.z());
         }
-        for (std::size_t i = index(low); i <= index(high); ++i) {
-            radius_m_[i] = std::max(radius_m_[i], radius);
+        for (std::size_t i = index(low - slack_m_); i <= index(high + slack_m_); ++i) {
+            radius_m_[i] = std::max(radius_m_[i], radius + slack_m_);
         }
     }
 
@@ -55,6 +57,7 @@ class Slices {
     }
 
     double low_m_;
+    double slack_m_;
     std::vector<double> radius_m_;
 };
 
@@ -72,7 +75,7 @@ Mesh turning_parts(const SceneModel& model) {
 
 }  // namespace
 
-SceneModel swept_scene(const SceneModel& model) {
+SceneModel swept_scene(const SceneModel& model, double slack_m) {
     const Mesh mesh = turning_parts(model);
     SceneModel scene;
     if (mesh.vertices.empty()) return scene;
@@ -80,7 +83,7 @@ SceneModel swept_scene(const SceneModel& model) {
         return a.z() < b.z();
     };
     const auto [low, high] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(), by_z);
-    Slices slices(low->z(), high->z());
+    Slices slices(low->z(), high->z(), slack_m);
     for (const auto& [a, b, c] : mesh.triangles) {
         slices.add({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
     }

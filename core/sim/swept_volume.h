@@ -6,8 +6,9 @@
 
 namespace gripscan::sim {
 
-/// A scene with that one solid, mounted on tool0; it encloses the turning parts by at least 0.2 mm.
+/// A scene with that one solid, mounted on tool0; it encloses the turning parts by at least 0.2 mm
+/// and by `slack_m` more, for parts that may be moved on the flange by up to that.
 /// Without turning parts there is nothing in it.
-[[nodiscard]] SceneModel swept_scene(const SceneModel& model);
+[[nodiscard]] SceneModel swept_scene(const SceneModel& model, double slack_m = 0.0);
 
 }  // namespace gripscan::sim

@@ -4,7 +4,6 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/units.h"
-#include "core/robot/kinematics.h"
 #include "core/sim/mesh_file.h"
 #include "core/sim/visibility.h"
 
@@ -36,24 +35,24 @@ ordered_json json_of(const StereoRig& rig) {
             {"T", json_of(Eigen::Vector3d(rig.T_right_left.translation()))}};
 }
 
-Pose T_camera_tool(const TruthSource& truth, const JointAngles& joints_rad) {
-    return truth.layout.T_world_camera.inverse() * tool_pose(joints_rad);
-}
-
-ordered_json json_of_capture(const TruthSource& truth, int capture, const JointAngles& joints_rad) {
+ordered_json json_of_capture(const TruthSource& truth, int capture, const Moment& moment) {
     ordered_json joints_deg = ordered_json::array();
-    for (const double angle : joints_rad) joints_deg.push_back(deg_from_rad(angle));
+    for (const double angle : moment.true_rad) joints_deg.push_back(deg_from_rad(angle));
     return {{"index", capture},
             {"joints_deg", joints_deg},
             {"T_first_k", row_major_from_pose(pose_to_first(truth, capture))},
-            {"T_camera_tool", row_major_from_pose(T_camera_tool(truth, joints_rad))}};
+            {"T_camera_tool", row_major_from_pose(T_camera_part(truth.layout, moment))},
+            {"T_world_camera", row_major_from_pose(T_world_camera(truth.layout, moment))},
+            {"intruder", moment.intruder},
+            {"defocus_px", moment.defocus_px},
+            {"glare_px", moment.glare_px}};
 }
 
 ordered_json json_of(const TruthSource& truth) {
     const Axis axis = joint6_axis_in_camera(truth.layout);
     ordered_json captures = ordered_json::array();
-    for (const auto& [capture, joints_rad] : truth.captures) {
-        captures.push_back(json_of_capture(truth, capture, joints_rad));
+    for (const auto& [capture, moment] : truth.captures) {
+        captures.push_back(json_of_capture(truth, capture, moment));
     }
     return {
         {"format", "gripscan-truth/1"},
@@ -73,8 +72,8 @@ Mesh mesh_of(const Body& body) {
 }  // namespace
 
 Pose pose_to_first(const TruthSource& truth, int capture) {
-    const Pose T_camera_tool_first = T_camera_tool(truth, truth.captures.begin()->second);
-    return T_camera_tool_first * T_camera_tool(truth, truth.captures.at(capture)).inverse();
+    return T_camera_part(truth.layout, truth.captures.begin()->second) *
+           T_camera_part(truth.layout, truth.captures.at(capture)).inverse();
 }
 
 Status write_truth_files(const TruthSource& truth, const std::filesystem::path& folder,
@@ -86,18 +85,19 @@ Status write_truth_files(const TruthSource& truth, const std::filesystem::path& 
     if (!scene) return forward_error(scene.error());
     VisibilityTest visibility(truth.layout, truth.region, std::move(*scene));
 
-    const JointAngles first_rad = truth.captures.begin()->second;
-    const auto T_world_body = body_poses(first_rad);
+    const Moment& first = truth.captures.begin()->second;
+    const Pose T_first_world = T_world_camera(truth.layout, first).inverse();
+    const auto T_world_body = body_poses(first);
     Mesh surface;
     std::vector<SurfaceSample> visible;
     for (const std::size_t body : {SceneModel::kFlange, SceneModel::kTool}) {
         const Mesh mesh = mesh_of(truth.model.bodies[body]);
-        const Pose T_camera_body = truth.layout.T_world_camera.inverse() * T_world_body[body];
+        const Pose T_camera_body = T_first_world * T_world_body[body];
         append(surface, mesh, T_camera_body);
         const auto samples = sample_surface(mesh, kSpacing_m);
         std::vector<char> seen(samples.size(), 0);
-        for (const auto& [capture, joints_rad] : truth.captures) {
-            visibility.mark(joints_rad, body, samples, seen, for_each);
+        for (const auto& [capture, moment] : truth.captures) {
+            visibility.mark(moment, body, samples, seen, for_each);
         }
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (seen[i] == 0) continue;

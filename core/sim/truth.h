@@ -2,25 +2,22 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 
 #include "core/base/for_each.h"
-#include "core/sim/cell_layout.h"
+#include "core/sim/moment.h"
 #include "core/sim/ray_scene.h"
 
 namespace gripscan::sim {
-
-/// The true joints at every capture grabbed so far, by its index; a retake replaces the one before.
-using TrueJoints = std::map<int, JointAngles>;
 
 struct TruthSource {
     const CellLayout& layout;
     const SceneModel& model;
     const Box& region;
-    const TrueJoints& captures;
+    const Moments& captures;
 };
 
-/// T_first_k: points of capture k, camera frame, into the frame of the first capture.
+/// T_first_k: points of what is mounted on the flange, in capture k, camera frame, into the frame
+/// of the first capture.
 [[nodiscard]] Pose pose_to_first(const TruthSource& truth, int capture);
 
 /// truth.json, surface.ply (the turning solids as a mesh, camera frame of the first capture; solids

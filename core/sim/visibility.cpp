@@ -11,14 +11,18 @@ VisibilityTest::VisibilityTest(const CellLayout& layout, const Box& region, RayS
                 layout.T_world_left().inverse(), layout.T_world_left().translation()},
             Eye{Lens(layout.rig.K_right, layout.rig.D_right, layout.rig.image),
                 layout.T_world_right().inverse(), layout.T_world_right().translation()}},
+      T_world_camera_(layout.T_world_camera),
       T_camera_world_(layout.T_world_camera.inverse()),
       region_(region),
       scene_(std::move(scene)) {}
 
-void VisibilityTest::mark(const JointAngles& joints_rad, std::size_t body,
+void VisibilityTest::mark(const Moment& moment, std::size_t body,
                           const std::vector<SurfaceSample>& samples, std::vector<char>& seen,
                           const ForEach& for_each) {
-    const auto T_world_body = body_poses(joints_rad);
+    // A camera that was moved sees what one that was not would see of a cell moved the other way.
+    const Pose cell_moved = T_world_camera_ * moment.T_camera_moved.inverse() * T_camera_world_;
+    auto T_world_body = body_poses(moment);
+    for (Pose& T : T_world_body) T = cell_moved * T;
     scene_.place(T_world_body);
     constexpr std::size_t kBlock = 1024;
     for_each((samples.size() + kBlock - 1) / kBlock, [&](std::size_t block) {

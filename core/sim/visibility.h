@@ -8,6 +8,7 @@
 #include "core/geometry/box.h"
 #include "core/sim/cell_layout.h"
 #include "core/sim/lens.h"
+#include "core/sim/moment.h"
 #include "core/sim/ray_scene.h"
 #include "core/sim/surface_samples.h"
 
@@ -18,10 +19,9 @@ class VisibilityTest {
     /// `region` in the camera frame.
     VisibilityTest(const CellLayout& layout, const Box& region, RayScene scene);
 
-    /// Marks the samples (given in the frame of `body`) that both cameras see at these joints.
-    void mark(const JointAngles& joints_rad, std::size_t body,
-              const std::vector<SurfaceSample>& samples, std::vector<char>& seen,
-              const ForEach& for_each);
+    /// Marks the samples (given in the frame of `body`) that both cameras see at that moment.
+    void mark(const Moment& moment, std::size_t body, const std::vector<SurfaceSample>& samples,
+              std::vector<char>& seen, const ForEach& for_each);
 
     static constexpr double kSteepest_deg = 75.0;  ///< line of sight against the normal
 
@@ -34,6 +34,7 @@ class VisibilityTest {
     [[nodiscard]] bool sees(const Eye& eye, const SurfaceSample& in_world) const;
 
     std::array<Eye, 2> eyes_;
+    Pose T_world_camera_;  ///< at the start
     Pose T_camera_world_;
     Box region_;
     RayScene scene_;

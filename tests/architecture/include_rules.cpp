@@ -55,7 +55,7 @@ const std::vector<LibraryRule> kLibraries{
      false},
     {"arv.h", {"core/camera"}, false},
     {"dc1394/", {"core/camera"}, false},
-    {"asio", {"core/robot", "core/sim"}, false},
+    {"asio", {"core/concurrency"}, false},
     {"embree3/", {"core/sim"}, false},
     {"yaml-cpp/", {"core/session", "core/procedure", "core/robot"}, true},
     {"nlohmann/",

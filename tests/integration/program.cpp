@@ -69,6 +69,23 @@ struct OutputFiles {
     fs::path err;
 };
 
+/// Sends the signal once, as soon as `ready` is true for the child.
+ProgramResult signalled(const Arguments& arguments, int signal,
+                        const std::function<bool(pid_t child)>& ready) {
+    const OutputFiles files;
+    const pid_t child = start(arguments, {}, files.out, files.err);
+    int status = 0;
+    bool sent = false;
+    while (::waitpid(child, &status, WNOHANG) == 0) {
+        if (!sent && ready(child)) {
+            ::kill(child, signal);
+            sent = true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return {exit_status(status), read_text(files.out), read_text(files.err)};
+}
+
 }  // namespace
 
 ProgramResult run_program(const Arguments& arguments, const Environment& environment) {
@@ -80,18 +97,12 @@ ProgramResult run_program(const Arguments& arguments, const Environment& environ
 }
 
 ProgramResult interrupt_program(const Arguments& arguments, const std::function<bool()>& ready) {
-    const OutputFiles files;
-    const pid_t child = start(arguments, {}, files.out, files.err);
-    int status = 0;
-    bool interrupted = false;
-    while (::waitpid(child, &status, WNOHANG) == 0) {
-        if (!interrupted && listens_for_interrupt(child) && ready()) {
-            ::kill(child, SIGINT);
-            interrupted = true;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return {exit_status(status), read_text(files.out), read_text(files.err)};
+    return signalled(arguments, SIGINT,
+                     [&](pid_t child) { return listens_for_interrupt(child) && ready(); });
+}
+
+ProgramResult kill_program(const Arguments& arguments, const std::function<bool()>& ready) {
+    return signalled(arguments, SIGKILL, [&](pid_t) { return ready(); });
 }
 
 std::vector<std::pair<std::string, std::string>> content_of(const fs::path& folder) {

@@ -30,6 +30,10 @@ using Environment = std::vector<std::string>;
 [[nodiscard]] ProgramResult interrupt_program(const Arguments& arguments,
                                               const std::function<bool()>& ready);
 
+/// Sends SIGKILL as soon as `ready` is true.
+[[nodiscard]] ProgramResult kill_program(const Arguments& arguments,
+                                         const std::function<bool()>& ready);
+
 /// All files below a folder with their content, by relative path: to see that nothing changed.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> content_of(
     const std::filesystem::path& folder);

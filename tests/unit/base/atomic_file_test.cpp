@@ -2,9 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 #include <fstream>
 
+#include "tests/support/child_process.h"
 #include "tests/support/temporary_folder.h"
 
 namespace gripscan {
@@ -85,6 +88,43 @@ TEST(AtomicFile, AFullDiskIsAnErrorAndNotAShortFile) {
     });
     ASSERT_FALSE(status);
     EXPECT_EQ(read_whole_file(path).value(), "old");
+}
+
+/// The disk ends in the middle of the text, at every kind of place.
+TEST(AtomicFile, AWriteThatIsCutShortLeavesTheOldFileAndNothingElse) {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.txt";
+    write_plainly(path, "old");
+    for (const rlim_t bytes : {1, 4095, 4096, 70000, 99999}) {
+        test::in_child([&] {
+            ::signal(SIGXFSZ, SIG_IGN);
+            const rlimit limit{bytes, bytes};
+            ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+            const Status status = write_file_atomically(path, std::string(100000, 'x'));
+            ASSERT_FALSE(status) << bytes;
+            EXPECT_THAT(status.error().message, HasSubstr("a.txt"));
+        });
+        EXPECT_EQ(read_whole_file(path).value(), "old");
+        EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{"a.txt"}));
+    }
+}
+
+TEST(AtomicFile, LeftoversOfDeadProgramsGoAndAllElseStays) {
+    const TemporaryFolder folder;
+    const std::string running = fmt::format(".table.{}.part.csv", ::getppid());
+    const std::string own = fmt::format(".table.{}.part.csv", ::getpid());
+    const std::vector<std::string> others{".gitignore",       ".part", ".a.part", ".a.b.part.csv",
+                                          "a.999999999.part", running};
+    for (const auto& name : others) write_plainly(folder / name, "x");
+    for (const std::string name : {".a.999999999.part.csv", ".a b.c.999999999.part", own.c_str()}) {
+        EXPECT_TRUE(is_temporary_name(name)) << name;
+        write_plainly(folder / name, "x");
+    }
+    fs::create_directories(folder / ".results.999999999.part/inner");
+    remove_dead_leftovers(folder.path());
+    std::vector<std::string> expected = others;
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(names_in(folder.path()), expected);
 }
 
 TEST(ReplaceFolder, ComesWholeOrNotAtAll) {

@@ -155,7 +155,7 @@ TEST(TurnWorkspace, TheFirstStepIsHeldAgainstTheAxisOfTheWarmUp) {
     EXPECT_NEAR(*alone->step.tilt_rad, 0.0, 1e-9);
     Axis axis = test::synthetic_axis();
     axis.direction = (axis.direction + Eigen::Vector3d(0, 0.1, 0)).normalized();
-    workspace.set_known_axis({axis, 1e-3, 1e-4});
+    workspace.set_known_axis(AxisEstimate{axis, 1e-3, 1e-4});
     const auto held = workspace.last_step(captures, {}, for_each_in_order);
     ASSERT_TRUE(held);
     EXPECT_GT(deg_from_rad(*held->step.tilt_rad), 4.0);

@@ -1,5 +1,5 @@
 // From evidence to one cause: the outermost one is named, with value and limit; what does no harm
-// is noted only.
+// of the older view is noted only.
 #include "core/registration/diagnosis.h"
 
 #include <gmock/gmock.h>
@@ -93,8 +93,14 @@ INSTANTIATE_TEST_SUITE_P(
                  intruder(j, 1500.0);
              },
              "reject", "moved_camera", ""},
-        Case{"GlareThatDoesNoHarmIsNoted", [](Judged& j) { glare(j); }, "accept", "none",
-             "note: capture 4"},
+        Case{"GlareInTheNewerViewWantsAnotherAttempt", [](Judged& j) { glare(j); }, "check",
+             "exposure", "capture 4"},
+        Case{"GlareInTheOlderViewIsNoted",
+             [](Judged& j) {
+                 glare(j);
+                 j.step.from = j.evidence.image_fault_in = 3;
+             },
+             "accept", "none", "note: capture 3"},
         Case{"GlareExplainsAWrongAngle",
              [](Judged& j) {
                  glare(j);

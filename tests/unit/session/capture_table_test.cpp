@@ -49,6 +49,20 @@ TEST(CaptureTable, AddsAColumnThatHasGotAValue) {
     EXPECT_EQ(capture_table_text(*table), "index,cloud,status\n0,a.pcd,used\n1,b.pcd,excluded\n");
 }
 
+TEST(CaptureTable, ModeAndNoteComeBack) {
+    const std::string text =
+        "index,cloud,mode,note\n0,a.pcd,,\n1,b.pcd,axis-locked,\"worn, but \"\"fine\"\"\"\n";
+    const auto table = parse_capture_table("c.csv", text);
+    ASSERT_TRUE(table) << table.error().message;
+    EXPECT_EQ(table->rows[0].mode, TurnMode::kFree);
+    EXPECT_EQ(table->rows[1].mode, TurnMode::kAxisLocked);
+    EXPECT_EQ(table->rows[1].note, "worn, but \"fine\"");
+    EXPECT_EQ(capture_table_text(*table), text);
+    EXPECT_EQ(problem("index,mode\n0,free\n1,axis-locked\n"), "no problem");
+    EXPECT_THAT(problem("index,mode\n0,prior\n"),
+                HasSubstr("captures.csv:2: column 'mode': 'prior' is none of free, axis-locked"));
+}
+
 TEST(CaptureTable, SaysWhereANumberIsNone) {
     for (const std::string bad : {"nan", "inf", "-inf", "1,5", "ten", "10deg", "0x10", "1e999"}) {
         const std::string cell = bad == "1,5" ? "\"1,5\"" : bad;

@@ -99,6 +99,20 @@ TEST_F(SessionFolder, ARetakeCountsItsAttempts) {
     EXPECT_EQ(recording.captures[4].attempts, 1);
 }
 
+TEST_F(SessionFolder, ModeAndNoteReachThePipeline) {
+    test::write_text(session_ / "captures.csv",
+                     "index,cloud,mode,note\n0,clouds/000.pcd,,\n"
+                     "1,clouds/001.pcd,axis-locked,\n2,clouds/002.pcd,free,seen by eye\n");
+    const auto session = open_session(session_);
+    ASSERT_TRUE(session) << session.error().message;
+    const TurnRecording recording = recording_of(*session);
+    EXPECT_EQ(recording.captures[0].mode, TurnMode::kFree);
+    EXPECT_EQ(recording.captures[1].mode, TurnMode::kAxisLocked);
+    EXPECT_EQ(recording.captures[1].note, "");
+    EXPECT_EQ(recording.captures[2].mode, TurnMode::kFree);
+    EXPECT_EQ(recording.captures[2].note, "seen by eye");
+}
+
 TEST_F(SessionFolder, NamesWhatIsAbsent) {
     std::filesystem::remove(session_ / "clouds/001.pcd");
     EXPECT_THAT(problem(), testing::AllOf(HasSubstr("capture 1"), HasSubstr("001.pcd")));

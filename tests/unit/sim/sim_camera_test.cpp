@@ -76,7 +76,7 @@ TEST(SimCamera, ThreadsDoNotMatter) {
     WorkerPool pool(3);
     const auto camera = SimCamera::create(
                             cell->layout, cell->model, cell->region, {{0.6, 2.0, 0.22}, 1},
-                            [&] { return cell->robot.arm().true_rad; }, pool.for_each())
+                            [&](const FrameRequest&) { return cell->moment(); }, pool.for_each())
                             .value();
     const StereoFrame three = camera->grab({2, 1}).value();
     EXPECT_TRUE(same(one.left, three.left));

@@ -3,9 +3,9 @@
 
 #include <memory>
 
+#include "core/sim/arm_motion.h"
 #include "core/sim/cell_layout.h"
 #include "core/sim/sim_camera.h"
-#include "core/sim/sim_robot.h"
 
 namespace gripscan::sim {
 
@@ -17,12 +17,13 @@ struct SmallCellSettings {
     unsigned image_fraction = 4;  ///< 4: a quarter of the default's pixels a side
 };
 
-/// Scene, camera and robot wired as SimCell does it.
+/// Scene, camera and arm wired as SimCell does it, without its controller.
 struct SmallCell {
     CellLayout layout;
     SceneModel model;
     Box region;
-    SimRobot robot;
+    ArmMotion arm;
+    double now_s = 0.0;
     std::unique_ptr<SimCamera> camera;
 
     [[nodiscard]] Lens left_lens() const {
@@ -31,7 +32,12 @@ struct SmallCell {
     [[nodiscard]] Lens right_lens() const {
         return {layout.rig.K_right, layout.rig.D_right, layout.rig.image};
     }
-    /// What one camera sees with the arm at these joints.
+    /// What one camera sees with the arm standing at these joints.
+    [[nodiscard]] Moment moment() const {
+        Moment moment;
+        moment.true_rad = arm.at(now_s).true_rad;
+        return moment;
+    }
     [[nodiscard]] StereoFrame picture_at(double joint6_rad, const FrameRequest& request = {});
 };
 

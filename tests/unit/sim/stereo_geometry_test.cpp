@@ -48,7 +48,9 @@ std::vector<SurfaceSample> visible_samples(const SmallCell& cell, const JointAng
     }
     VisibilityTest test(cell.layout, cell.region, RayScene::create(cell.model).value());
     std::vector<char> seen(samples.size(), 0);
-    test.mark(joints_rad, SceneModel::kTool, samples, seen, for_each_in_order);
+    Moment moment;
+    moment.true_rad = joints_rad;
+    test.mark(moment, SceneModel::kTool, samples, seen, for_each_in_order);
     std::vector<SurfaceSample> result;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (seen[i] != 0) result.push_back(samples[i]);
@@ -190,7 +192,7 @@ TEST(StereoGeometry, BothPicturesShowTheSamePointsWhereTheyProject) {
     // A quarter of the resolution would alias the grain; half of it still shows it.
     const auto cell = make_small_cell({.blur_px = 0.5, .image_fraction = 2});
     const StereoFrame frame = cell->picture_at(rad_from_deg(-180.0));
-    const JointAngles q = cell->robot.arm().true_rad;
+    const JointAngles q = cell->moment().true_rad;
     const auto samples = amid_flat_faces(visible_samples(*cell, q));
     ASSERT_GT(samples.size(), 500U);
     const Pose T_world_tool = tool_pose(q);
@@ -207,9 +209,9 @@ TEST(StereoGeometry, BothPicturesShowTheSamePointsWhereTheyProject) {
 TEST(StereoGeometry, TurningJoint6MovesThePictureAsTheAxisSays) {
     const auto cell = make_small_cell({.blur_px = 0.5, .image_fraction = 2});
     const cv::Mat before = texture_of(cell->picture_at(rad_from_deg(-180.0)).left);
-    const JointAngles q0 = cell->robot.arm().true_rad;
+    const JointAngles q0 = cell->moment().true_rad;
     const cv::Mat after = texture_of(cell->picture_at(rad_from_deg(-170.0)).left);
-    const JointAngles q1 = cell->robot.arm().true_rad;
+    const JointAngles q1 = cell->moment().true_rad;
 
     auto samples = visible_samples(*cell, q0);
     const Pose T_camera_tool = cell->layout.T_world_camera.inverse() * tool_pose(q0);

@@ -17,13 +17,14 @@ namespace {
 class TruthFiles : public ::testing::Test {
   protected:
     std::unique_ptr<SmallCell> cell = make_small_cell();
-    TrueJoints captures;
+    Moments captures;
     test::TemporaryFolder folder;
 
     void capture(int index, double joint6_deg) {
-        JointAngles q = cell->layout.joints_rad;
-        q[5] = rad_from_deg(joint6_deg);
-        captures[index] = q;
+        Moment moment;
+        moment.true_rad = cell->layout.joints_rad;
+        moment.true_rad[5] = rad_from_deg(joint6_deg);
+        captures[index] = moment;
     }
     [[nodiscard]] TruthSource source() const {
         return {cell->layout, cell->model, cell->region, captures};

@@ -1,0 +1,103 @@
+#include "app/turn_session.h"
+
+#include <array>
+
+#include "core/base/units.h"
+#include "core/procedure/engine.h"
+#include "core/procedure/journal_codec.h"
+#include "core/session/resume.h"
+
+namespace gripscan::app {
+namespace {
+
+constexpr std::string_view kCellEntry = "cell";
+
+TurnPlan plan_of(const CellOptions& options, const Cell& cell) {
+    TurnPlan plan;
+    plan.mode = options.mode();
+    plan.step_rad = rad_from_deg(options.step_deg);
+    plan.speed_percent = cell.speed_percent;
+    plan.limits.angle_rad = rad_from_deg(cell.limits.angle_deg);
+    plan.limits.sigmas = cell.limits.sigmas;
+    plan.limits.overlap = cell.limits.overlap;
+    plan.limits.slip_m = cell.limits.slip_mm / kMmPerM;
+    plan.limits.tilt_rad = rad_from_deg(cell.limits.tilt_deg);
+    return plan;
+}
+
+ProcedureState first_state(const TurnPlan& plan) {
+    ProcedureState state;
+    state.plan = plan;
+    state.data.step_rad = plan.step_rad;
+    return state;
+}
+
+/// Cell, plan and inputs, in the order of the journal.
+struct Entries {
+    std::optional<CellOptions> options;
+    std::optional<TurnPlan> plan;
+    std::vector<Input> inputs;
+};
+
+Status read_entry(const JournalEntry& entry, Entries& read) {
+    if (entry.event == kCellEntry) {
+        auto options = cell_options_from(entry.fields);
+        if (!options) return forward_error(options.error());
+        read.options = std::move(*options);
+        return {};
+    }
+    if (entry.event == "plan") {
+        auto plan = decode_plan(entry.fields);
+        if (!plan) return forward_error(plan.error());
+        read.plan = std::move(*plan);
+        return {};
+    }
+    auto input = decode_input(entry.event, entry.fields);
+    if (!input) return forward_error(input.error());
+    if (*input) read.inputs.push_back(std::move(**input));
+    return {};
+}
+
+}  // namespace
+
+Result<TurnSession> begin_session(const std::filesystem::path& folder, const CellOptions& options,
+                                  const Cell& cell) {
+    SessionSpec spec;
+    spec.step_deg = options.step_deg;
+    spec.region = cell.region;
+    spec.axis_hint = cell.axis_hint;
+    spec.limits = cell.limits;
+    const TurnPlan plan = plan_of(options, cell);
+    const std::array opening{JournalRecord{std::string(kCellEntry), journal_fields(options)},
+                             encode(plan)};
+    auto store = SessionStore::create(folder, spec, cell.rig, GRIPSCAN_VERSION, opening);
+    if (!store) return forward_error(store.error());
+    return TurnSession{std::move(*store), spec, first_state(plan)};
+}
+
+Result<RememberedSession> remember_session(const std::filesystem::path& folder) {
+    auto resumed = resume_session(folder);
+    if (!resumed) return forward_error(resumed.error());
+    const auto journal = folder / "journal";
+    Entries read;
+    for (const JournalEntry& entry : resumed->memory.entries) {
+        if (Status s = read_entry(entry, read); !s) {
+            return input_error("{}:{}: {}", journal.string(), entry.number, s.error().message);
+        }
+    }
+    if (!read.options || !read.plan) {
+        return input_error(
+            "{}: the journal does not begin with cell and plan, so it is none of a run; what was "
+            "recorded can be computed: gripscan replay",
+            journal.string());
+    }
+    auto state = replay_inputs(first_state(*read.plan), read.inputs);
+    if (!state) return input_error("{}: {}", journal.string(), state.error().message);
+    if (Status s = resumed->store.save_table(state->data.captures); !s) {
+        return forward_error(s.error());
+    }
+    return RememberedSession{std::move(resumed->store), resumed->memory.spec, *read.options,
+                             std::move(*state)};
+}
+
+}  // namespace gripscan::app

@@ -1,0 +1,34 @@
+// A session folder while a turn is recorded into it: made, or opened to go on, with the state that
+// its journal leads to.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/cell_options.h"
+#include "app/open_cell.h"
+#include "core/procedure/procedure_state.h"
+#include "core/session/session_store.h"
+
+namespace gripscan::app {
+
+struct TurnSession {
+    SessionStore store;
+    SessionSpec spec;
+    ProcedureState state;
+};
+
+/// Makes the folder and begins its journal: which cell, and the plan.
+[[nodiscard]] Result<TurnSession> begin_session(const std::filesystem::path& folder,
+                                                const CellOptions& options, const Cell& cell);
+
+/// What a resumed session says about its cell, before that is opened.
+struct RememberedSession {
+    SessionStore store;
+    SessionSpec spec;
+    CellOptions options;
+    ProcedureState state;  ///< after the last entry
+};
+[[nodiscard]] Result<RememberedSession> remember_session(const std::filesystem::path& folder);
+
+}  // namespace gripscan::app

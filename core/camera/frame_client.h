@@ -1,0 +1,42 @@
+// A stereo camera at the other end of a frame port.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/camera/frame_protocol.h"
+#include "core/concurrency/tcp_connection.h"
+
+namespace gripscan {
+
+struct FrameClientSettings {
+    std::string host = "127.0.0.1";
+    std::uint16_t port = 18742;
+    std::chrono::milliseconds connect_within{3000};
+    std::chrono::milliseconds answer_within{30000};  ///< a picture: rendering takes a while
+};
+
+/// Not for several threads at once. A lost connection is opened again by the next grab().
+class FrameClient : public StereoSource {
+  public:
+    /// Connects and asks for the description.
+    [[nodiscard]] static Result<std::unique_ptr<FrameClient>> connect(
+        const FrameClientSettings& settings);
+    ~FrameClient() override;
+
+    [[nodiscard]] Result<StereoFrame> grab(const FrameRequest& request) override;
+    [[nodiscard]] const frames::Description& description() const { return description_; }
+
+  private:
+    struct Link;
+    explicit FrameClient(const FrameClientSettings& settings);
+    [[nodiscard]] Status open();
+    template <typename Answer>
+    [[nodiscard]] Result<Answer> ask(const frames::Message& question);
+
+    FrameClientSettings settings_;
+    frames::Description description_;
+    std::unique_ptr<Link> link_;  ///< none: not connected
+};
+
+}  // namespace gripscan

@@ -1,0 +1,77 @@
+// The procedure's effects on a real or simulated cell: link, camera, disk and computation.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "core/base/for_each.h"
+#include "core/base/progress.h"
+#include "core/camera/stereo_source.h"
+#include "core/procedure/capture_store.h"
+#include "core/procedure/effect_runner.h"
+#include "core/procedure/exposure.h"
+#include "core/procedure/turn_workspace.h"
+
+namespace gripscan {
+
+/// What the effects work on. References outlive them.
+struct CellEquipment {
+    RobotLink* robot = nullptr;  ///< null: there is none to read
+    StereoSource& source;
+    StereoRig rig;
+    std::optional<Box> region;
+    std::optional<Eigen::Vector3d> axis_hint;
+    std::optional<Pose> T_robot_camera;
+    std::filesystem::path session;  ///< folder of the recording
+    ExposureSettings exposure;
+    StillnessTest differs;
+};
+
+/// Where the solved turn goes.
+class ResultKeeper {
+  public:
+    virtual ~ResultKeeper() = default;
+    /// Returns once it is safe.
+    [[nodiscard]] virtual Status keep(const ComputedTurn& turn) = 0;
+};
+
+class CellEffects : public EffectRunner {
+  public:
+    CellEffects(CellEquipment equipment, TurnWorkspace workspace, CaptureStore& store,
+                ResultKeeper& results, ForEach for_each);
+
+    /// Told of long work; called from worker threads.
+    void on_progress(decltype(Progress::report) report) { report_ = std::move(report); }
+
+    [[nodiscard]] Event run(const Effect& effect, const ProcedureState& state,
+                            std::stop_token stop) override;
+    void halt() override;
+
+  private:
+    struct Doing;
+    [[nodiscard]] Event open_link();
+    [[nodiscard]] Event turn(const Joint6Command& command, std::stop_token stop);
+    [[nodiscard]] Event expose_shot(const Shot& shot, const Progress& progress);
+    [[nodiscard]] Event judge(const effect::Judge& pair, const ProcedureState& state,
+                              const Progress& progress);
+    [[nodiscard]] Event estimate(const ProcedureState& state, const Progress& progress);
+    [[nodiscard]] Event solve(const ProcedureState& state, const Progress& progress);
+    /// Everything used, loaded and prepared, that is not there yet.
+    [[nodiscard]] Status prepare(const std::vector<RecordedCapture>& captures,
+                                 const Progress& progress);
+    [[nodiscard]] CellReport checked(const ProcedureState& state,
+                                     const std::optional<AxisEstimate>& axis,
+                                     const Progress& progress);
+
+    CellEquipment cell_;
+    TurnWorkspace workspace_;
+    CaptureStore& store_;
+    ResultKeeper& results_;
+    ForEach for_each_;
+    decltype(Progress::report) report_;
+    std::map<int, int> prepared_attempts_;  ///< by index: which attempt the workspace holds
+    std::vector<RecordedCapture> warm_up_;
+};
+
+}  // namespace gripscan

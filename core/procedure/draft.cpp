@@ -1,0 +1,155 @@
+#include "core/procedure/draft.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/procedure/motion_plan.h"
+#include "core/robot/kinematics.h"
+
+namespace gripscan {
+namespace {
+
+constexpr double kSameAngle_rad = 1e-7;
+
+struct EffectOf {
+    Effect operator()(const activity::CheckingCell&) const { return effect::MeasureCell{}; }
+    Effect operator()(const activity::Moving& a) const { return effect::Turn{a.command}; }
+    Effect operator()(const activity::Exposing& a) const { return effect::Expose{a.shot}; }
+    Effect operator()(const activity::Judging& a) const { return effect::Judge{a.from, a.to}; }
+    Effect operator()(const activity::EstimatingAxis&) const { return effect::EstimateAxis{}; }
+    Effect operator()(const activity::Solving&) const { return effect::Solve{}; }
+    Effect operator()(const activity::AwaitingOperator&) const { return effect::SaveTable{}; }
+};
+
+}  // namespace
+
+bool same_angle(double a_rad, double b_rad) {
+    return std::abs(a_rad - b_rad) < kSameAngle_rad;
+}
+
+void Draft::begin(Activity activity) {
+    // The operator is waited for, nothing has to be done for that.
+    if (!std::holds_alternative<activity::AwaitingOperator>(activity)) {
+        effects.push_back(std::visit(EffectOf{}, activity));
+    }
+    state.phase = phase::Busy{std::move(activity)};
+}
+
+void Draft::send(double angle_rad, std::vector<double> then_rad, const std::optional<Shot>& shot) {
+    const Joint6Command command{state.next_motion_id++, angle_rad, state.plan.speed_percent};
+    begin(activity::Moving{command, std::move(then_rad), shot});
+}
+
+void Draft::drive_to(double joint6_rad, const std::optional<Shot>& shot) {
+    if (state.plan.mode == MotionMode::kDry) {
+        effects.push_back(effect::LogTurn{joint6_rad});
+        state.phase = phase::Busy{activity::Moving{{0, joint6_rad, 0.0}, {}, std::nullopt}};
+        return;
+    }
+    const auto standing = standing_joint6_rad(state);
+    if (state.plan.mode == MotionMode::kManual) {
+        if (shot) begin(activity::AwaitingOperator{joint6_rad, *shot});
+        return;
+    }
+    auto way = way_to(joint6_rad, standing.value_or(joint6_rad),
+                      {state.plan.approach_rad, state.plan.largest_move_rad,
+                       joint_ranges()[5].min_rad});
+    if (way.empty()) {
+        if (!shot) return rest();
+        return begin(activity::Exposing{*shot});
+    }
+    const double first_rad = way.front();
+    way.erase(way.begin());
+    send(first_rad, std::move(way), shot);
+}
+
+void Draft::shoot(const Shot& shot) {
+    drive_to(joint6_of(shot.commanded_rad), shot);
+}
+
+void Draft::begin_again(const Activity& activity) {
+    if (const auto* moving = std::get_if<activity::Moving>(&activity)) {
+        // An id whose end is unknown is asked for again: the controller never turns twice for it.
+        if (moving->command.id != 0) return begin(*moving);
+        return drive_to(moving->target_rad(), moving->shot);
+    }
+    // The cell may have been started anew since, and stand at its home.
+    if (const auto* exposing = std::get_if<activity::Exposing>(&activity)) {
+        return shoot(exposing->shot);
+    }
+    begin(activity);
+}
+
+void Draft::remember() {
+    if (state.undo.empty() || !(state.undo.back() == state.data)) {
+        state.undo.push_back(state.data);
+    }
+    state.redo.clear();
+}
+
+void Draft::data_changed() {
+    effects.emplace_back(effect::SaveTable{});
+    state.solved.reset();
+    judge_next();
+}
+
+void Draft::judge_next() {
+    const auto used = state.data.used();
+    for (std::size_t i = 1; i < used.size(); ++i) {
+        const int from = state.data.captures[used[i - 1]].index;
+        const int to = state.data.captures[used[i]].index;
+        if (state.judged.find({from, to}) == state.judged.end()) {
+            return begin(activity::Judging{from, to});
+        }
+    }
+    rest();
+}
+
+void Draft::rest() {
+    if (state.solved) {
+        state.phase = phase::Finished{};
+        return;
+    }
+    const auto table = table_of(state);
+    const bool accepted = table.empty() || table.back().row.verdict == Verdict::kAccept ||
+                          table.back().row.verdict == Verdict::kAcceptNoted;
+    if (accepted) {
+        state.phase = phase::Idle{};
+        return;
+    }
+    const TurnStep& row = table.back().row;
+    const GivenAdvice given{row.from, row.to, advice_for(state)};
+    if (state.advice.empty() || !(state.advice.back() == given)) state.advice.push_back(given);
+    state.phase = phase::Deciding{given.advice};
+}
+
+void Draft::forget_judged(int index) {
+    std::erase_if(state.judged, [&](const auto& entry) {
+        return entry.first.first == index || entry.first.second == index;
+    });
+}
+
+void Draft::settle_start() {
+    state.plan.start_joint6_rad =
+        start_of_turn(state.plan, standing_joint6_rad(state).value_or(0.0));
+}
+
+double Draft::joint6_of(double commanded_rad) const {
+    return state.plan.start_joint6_rad.value_or(0.0) + commanded_rad;
+}
+
+Shot Draft::shot_at(double commanded_rad) const {
+    const auto& captures = state.data.captures;
+    const auto tried = std::count_if(captures.begin(), captures.end(), [&](const auto& c) {
+        return same_angle(c.commanded_rad, commanded_rad);
+    });
+    return {ShotPurpose::kTurn, state.data.next_index(), static_cast<int>(tried) + 1,
+            commanded_rad};
+}
+
+Shot Draft::warm_up_shot() const {
+    const int number = state.warm_up_shots;
+    return {ShotPurpose::kWarmUp, -1 - number, 1, number * state.plan.warm_up_step_rad};
+}
+
+}  // namespace gripscan

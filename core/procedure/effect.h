@@ -1,0 +1,39 @@
+// What the procedure wants done: by the link, the camera, the disk or the computation. Each but
+// SaveTable and Halt ends in exactly one event.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "core/procedure/shot.h"
+#include "core/robot/robot_link.h"
+
+namespace gripscan {
+
+namespace effect {
+struct OpenLink {};
+struct MeasureCell {};
+struct Turn {
+    Joint6Command command;
+};
+struct LogTurn {  ///< DRY
+    double angle_rad = 0.0;
+};
+struct Expose {
+    Shot shot;
+};
+struct Judge {
+    int from = 0;
+    int to = 0;
+};
+struct EstimateAxis {};
+struct Solve {};
+struct SaveTable {};  ///< the captures as they are now
+struct Halt {};       ///< stop the arm, give up the work that is going on
+}  // namespace effect
+
+using Effect = std::variant<effect::OpenLink, effect::MeasureCell, effect::Turn, effect::LogTurn,
+                            effect::Expose, effect::Judge, effect::EstimateAxis, effect::Solve,
+                            effect::SaveTable, effect::Halt>;
+
+}  // namespace gripscan

@@ -1,0 +1,60 @@
+#include "core/robot/conformance_probe.h"
+
+#include <fmt/format.h>
+
+namespace gripscan::gsp {
+
+TcpResult<void> ProbeLink::open() {
+    channel_.reset();
+    auto connection =
+        TcpConnection::connect(settings_.host, port_, deadline_in(settings_.connect_limit));
+    if (!connection) return tl::unexpected<TcpError>(connection.error());
+    channel_.emplace(*std::move(connection));
+    return {};
+}
+
+void ProbeLink::send(std::string_view bytes) {
+    // A connection that went is noticed by what does not come back.
+    if (channel_) {
+        (void)channel_->connection().write(bytes, deadline_in(settings_.reply_limit));
+    }
+}
+
+void ProbeLink::send_line(std::string_view line) {
+    send(std::string(line).append(kLineEnd));
+}
+
+tl::expected<std::string, NoLine> ProbeLink::next(std::chrono::milliseconds limit) {
+    const auto none = [](std::string what, bool closed = false) {
+        return tl::unexpected<NoLine>(NoLine{std::move(what), closed});
+    };
+    if (!channel_) return none("(not connected)", true);
+    const auto item = channel_->read(deadline_in(limit));
+    if (!item && item.error().fault == TcpFault::kTimeout) return none("(no answer)");
+    if (!item) return none("(connection closed)", true);
+    if (const auto* line = std::get_if<Line>(&*item)) return line->text;
+    if (const auto* line = std::get_if<OverlongLine>(&*item)) {
+        return none(fmt::format("(a line of {} characters)", line->length));
+    }
+    return none(fmt::format("({})", std::get<BrokenStream>(*item).why));
+}
+
+std::string ProbeLink::ask(std::string_view line) {
+    if (!channel_) {
+        if (const auto opened = open(); !opened) return fmt::format("({})", opened.error().message);
+    }
+    send_line(line);
+    auto reply = next(settings_.reply_limit);
+    if (reply) return *std::move(reply);
+    channel_.reset();  // what comes later must not be taken for the next reply
+    return reply.error().what;
+}
+
+bool is_error(std::string_view line, int id, ErrorCode code, bool zero_too) {
+    const auto reply = decode_reply(line);
+    const auto* failure = reply ? std::get_if<Failure>(&*reply) : nullptr;
+    return failure && failure->code == code &&
+           (failure->id == id || (zero_too && failure->id == 0));
+}
+
+}  // namespace gripscan::gsp

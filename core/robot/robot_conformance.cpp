@@ -1,0 +1,101 @@
+#include "core/robot/robot_conformance.h"
+
+#include <algorithm>
+
+#include "core/robot/conformance_probe.h"
+
+namespace gripscan::gsp {
+namespace {
+
+/// What a controller sends may be anything; what is told of it is one line.
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 0x7F; }, '?');
+    return text;
+}
+
+/// Without these nothing that moves may be tried.
+bool must_pass(std::string_view name) {
+    return name == "move.ready" || name == "move.ids";
+}
+
+class Run {
+  public:
+    Run(const ConformanceSettings& settings, const CheckReceiver& receiver,
+        const std::stop_token& stop)
+        : probe_(settings), receiver_(receiver), stop_(stop) {}
+
+    Result<ConformanceReport> all();
+
+  private:
+    void add(const CheckRow& row, const Verdict& verdict) {
+        report_.checks.push_back({std::string(row.name), verdict.outcome, one_line(verdict.seen),
+                                  std::string(row.required)});
+        if (receiver_) receiver_(report_.checks.back());
+    }
+    /// Why no check that moves may be made; empty: they may.
+    [[nodiscard]] std::string hindrance() const {
+        if (!probe_.settings.move) return "no motion without --move";
+        return not_ready_ ? "the controller is not ready to move" : "";
+    }
+
+    Probe probe_;
+    const CheckReceiver& receiver_;
+    const std::stop_token& stop_;
+    bool not_ready_ = false;
+    ConformanceReport report_;
+};
+
+Result<ConformanceReport> Run::all() {
+    for (ProbeLink* link : {&probe_.motion, &probe_.monitor}) {
+        if (const auto opened = link->open(); !opened) {
+            return device_error("{}; is the server on the controller started?",
+                                opened.error().message);
+        }
+    }
+    for (const CheckRow& row : still_checks()) {
+        if (stop_.stop_requested()) return cancelled_error();
+        add(row, row.check(probe_));
+    }
+    for (const CheckRow& row : moving_checks()) {
+        if (stop_.stop_requested()) {
+            (void)probe_.monitor.ask("STOP");
+            return cancelled_error();
+        }
+        const std::string why_not = hindrance();
+        const Verdict verdict = why_not.empty() ? row.check(probe_) : skipped(why_not);
+        add(row, verdict);
+        if (must_pass(row.name) && verdict.outcome == CheckOutcome::kFailed) not_ready_ = true;
+    }
+    return std::move(report_);
+}
+
+}  // namespace
+
+std::string_view name_of(CheckOutcome outcome) {
+    switch (outcome) {
+        case CheckOutcome::kPassed:
+            return "passed";
+        case CheckOutcome::kFailed:
+            return "failed";
+        case CheckOutcome::kSkipped:
+            return "skipped";
+        case CheckOutcome::kNoted:
+            return "noted";
+    }
+    return "failed";
+}
+
+bool ConformanceReport::conforms() const {
+    return std::none_of(checks.begin(), checks.end(), [](const ConformanceCheck& check) {
+        return check.outcome == CheckOutcome::kFailed;
+    });
+}
+
+Result<ConformanceReport> check_conformance(const ConformanceSettings& settings,
+                                            const CheckReceiver& receiver,
+                                            const std::stop_token& stop) {
+    return Run(settings, receiver, stop).all();
+}
+
+}  // namespace gripscan::gsp

@@ -1,0 +1,124 @@
+// A run that is killed goes on with --resume to the results of an undisturbed one.
+#include <gmock/gmock.h>
+
+#include "core/session/cell_file.h"
+#include "tests/integration/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace gripscan::test {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// Steps of 30° keep the tests short.
+Arguments turn(const fs::path& session, const Arguments& more = {}) {
+    Arguments arguments{"run", "gripper", "--step-deg", "30", "--out", session.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+/// The template of an undisturbed run, computed once.
+const std::string& undisturbed_template() {
+    static const std::string text = [] {
+        const TemporaryFolder folder;
+        const auto result = run_program(turn(folder / "s", {"--json"}));
+        EXPECT_EQ(result.status, 0) << result.err;
+        return read_text(folder / "s/results/template.pcd");
+    }();
+    return text;
+}
+
+TEST(Resume, AKilledRunEndsWithTheTemplateOfAnUndisturbedOne) {
+    const TemporaryFolder folder;
+    const fs::path session = folder / "s";
+    const auto killed = kill_program(
+        turn(session), [&] { return fs::exists(session / "frames/005_left.png"); });
+    ASSERT_EQ(killed.status, 128 + 9);
+    EXPECT_FALSE(fs::exists(session / "results"));
+    const auto resumed = run_program({"run", "gripper", "--resume", "--out", session.string()});
+    EXPECT_EQ(resumed.status, 0) << resumed.err;
+    EXPECT_EQ(read_text(session / "results/template.pcd"), undisturbed_template());
+    // Once more: it is finished, and stays so.
+    const auto again =
+        run_program({"run", "gripper", "--resume", "--out", session.string(), "--json"});
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_EQ(again.json()["steps"].size(), 12U);
+    EXPECT_EQ(read_text(session / "results/template.pcd"), undisturbed_template());
+}
+
+TEST(Resume, TheCellMayLiveOnInItsOwnProcess) {
+    const TemporaryFolder folder;
+    const fs::path session = folder / "s";
+    const fs::path cell = folder / "cell/cell.yaml";
+    const auto served = interrupt_program(
+        {"simcell", "--port", "0", "--time-scale", "20", "--step-deg", "30", "--cell-out",
+         (folder / "cell").string()},
+        [&] {
+            if (!fs::exists(cell)) return false;
+            const auto killed =
+                kill_program(turn(session, {"--cell", cell.string(), "--live"}),
+                             [&] { return fs::exists(session / "frames/003_right.png"); });
+            EXPECT_EQ(killed.status, 128 + 9);
+            const auto resumed =
+                run_program({"run", "gripper", "--resume", "--out", session.string()});
+            EXPECT_EQ(resumed.status, 0) << resumed.err;
+            EXPECT_THAT(resumed.err, HasSubstr("LIVE"));
+            return true;
+        });
+    EXPECT_EQ(served.status, 0) << served.err;
+    EXPECT_EQ(read_text(session / "results/template.pcd"), undisturbed_template());
+}
+
+TEST(Resume, ASecondProcessOnTheSameSessionIsRefused) {
+    const TemporaryFolder folder;
+    const fs::path session = folder / "s";
+    const auto first = interrupt_program(turn(session), [&] {
+        if (!fs::exists(session / "frames/000_right.png")) return false;
+        const auto second = run_program({"run", "gripper", "--resume", "--out", session.string()});
+        EXPECT_EQ(second.status, 2);
+        EXPECT_THAT(second.err, HasSubstr(session.string()));
+        return true;
+    });
+    EXPECT_EQ(first.status, 4) << first.err;
+    EXPECT_THAT(first.err, HasSubstr("--resume"));
+}
+
+TEST(DryRun, WritesTheMotionsDownAndMovesNothing) {
+    const TemporaryFolder folder;
+    const fs::path cell = folder / "cell/cell.yaml";
+    (void)interrupt_program(
+        {"simcell", "--port", "0", "--cell-out", (folder / "cell").string()}, [&] {
+            if (!fs::exists(cell)) return false;
+            const auto dry = run_program(
+                turn(folder / "s", {"--cell", cell.string(), "--json"}));
+            EXPECT_EQ(dry.status, 0) << dry.err;
+            const auto json = dry.json();
+            EXPECT_EQ(json["format"], "gripscan-rehearsal/1");
+            EXPECT_EQ(json["mode"], "DRY");
+            EXPECT_EQ(json["joint6_deg"].size(), 12U);
+            const auto file = load_cell_file(cell);
+            EXPECT_TRUE(file);
+            if (!file) return true;
+            const auto check = run_program(
+                {"robot-check", "127.0.0.1:" + std::to_string(file->robot->port),
+                 "--monitor-port", std::to_string(file->robot->monitor_port), "--json"});
+            EXPECT_EQ(check.status, 0) << check.out;
+            EXPECT_FALSE(fs::exists(folder / "s/frames/000_left.png"));
+            return true;
+        });
+}
+
+TEST(LiveRun, NobodyThereIsADeviceError) {
+    const TemporaryFolder folder;
+    const fs::path cell = folder / "cell/cell.yaml";
+    (void)interrupt_program(
+        {"simcell", "--port", "0", "--cell-out", (folder / "cell").string()},
+        [&] { return fs::exists(cell); });
+    const auto gone = run_program(turn(folder / "s", {"--cell", cell.string(), "--live"}));
+    EXPECT_EQ(gone.status, 3) << gone.err;
+    EXPECT_FALSE(gone.err.empty());
+}
+
+}  // namespace
+}  // namespace gripscan::test

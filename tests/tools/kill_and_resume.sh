@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Kills gripper registrations at random moments, resumes them, and compares what they end with.
+# usage: tests/tools/kill_and_resume.sh OUT [RUNS] [STEP_DEG] [SEED]
+# RUNS (default 30) with the cell in the killed process, and as many with `gripscan simcell` living
+# on in its own. Ends with status 0 if every template is that of the undisturbed run, byte for byte.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+out=${1:?usage: kill_and_resume.sh OUT [RUNS] [STEP_DEG] [SEED]}
+runs=${2:-30}
+step=${3:-20}
+seed=${4:-1}
+gripscan=$PWD/build/release/bin/gripscan
+RANDOM=$seed
+[[ -e $out ]] && { echo "$out exists; choose another folder" >&2; exit 2; }
+mkdir -p "$out"
+
+simcell=
+trap '[[ -n $simcell ]] && kill "$simcell" 2>/dev/null; true' EXIT
+
+# start_simcell LOG CELL_DIR
+start_simcell() {
+    "$gripscan" simcell --port 0 --seed "$seed" --step-deg "$step" --time-scale 20 --cell-out "$2" \
+        >"$1" 2>&1 &
+    simcell=$!
+    for _ in $(seq 100); do
+        grep -q '^listening ' "$1" && return
+        sleep 0.1
+    done
+    echo "simcell did not start: $(cat "$1")" >&2
+    exit 2
+}
+stop_simcell() {
+    kill "$simcell" 2>/dev/null || true
+    wait "$simcell" 2>/dev/null || true
+    simcell=
+}
+
+# turn KIND SESSION [ARG...]: one registration, its status
+turn() {
+    local kind=$1 session=$2
+    shift 2
+    local cell=(--cell sim --seed "$seed")
+    [[ $kind == own ]] && cell=(--cell "$session.cell/cell.yaml" --live)
+    "$gripscan" run gripper "${cell[@]}" --step-deg "$step" --out "$session" --quiet "$@"
+}
+
+begin_ms=$(date +%s%3N)
+turn in "$out/undisturbed"
+whole_ms=$(($(date +%s%3N) - begin_ms))
+echo "undisturbed: $whole_ms ms"
+
+failed=0
+for kind in in own; do
+    for i in $(seq "$runs"); do
+        session=$out/$kind-$i
+        [[ $kind == own ]] && start_simcell "$session.log" "$session.cell"
+        turn "$kind" "$session" >/dev/null 2>&1 &
+        pid=$!
+        after_ms=$((RANDOM * 32768 + RANDOM))
+        after_ms=$((after_ms % whole_ms))
+        sleep "$(printf '%d.%03d' $((after_ms / 1000)) $((after_ms % 1000)))"
+        kill -KILL "$pid" 2>/dev/null || true
+        wait "$pid" 2>/dev/null || true
+        views=$(ls "$session/frames" 2>/dev/null | grep -c left || true)
+        status=0
+        turn "$kind" "$session" --resume >"$session.resumed" 2>&1 || status=$?
+        verdict=same
+        cmp -s "$out/undisturbed/results/template.pcd" "$session/results/template.pcd" ||
+            verdict=DIFFERENT
+        [[ $verdict == same && $status == 0 ]] || failed=$((failed + 1))
+        echo "$kind $i: killed after $after_ms ms with $views views; resumed: status $status, $verdict"
+        [[ $kind == own ]] && stop_simcell
+        [[ $verdict == same ]] && rm -rf "$session" "$session.cell"
+    done
+done
+echo "$((2 * runs - failed)) of $((2 * runs)) ended with the template of the undisturbed run"
+[[ $failed == 0 ]]

@@ -1,0 +1,21 @@
+// Names for the parameters of the fault tests.
+#pragma once
+
+#include <string>
+
+#include "tests/support/mock_controller.h"
+
+namespace gripscan::gsp {
+
+inline std::string name_of(test::Point point) {
+    static constexpr std::array kNames{"Request", "Accepted", "Moving", "Done", "Question"};
+    return kNames.at(static_cast<std::size_t>(point));
+}
+
+inline std::string name_of(test::Mischief mischief) {
+    static constexpr std::array kNames{"Drop",  "HalfOpen", "Never", "Late",   "Garbled",
+                                       "Split", "Joined",   "Twice", "Restart"};
+    return kNames.at(static_cast<std::size_t>(mischief));
+}
+
+}  // namespace gripscan::gsp

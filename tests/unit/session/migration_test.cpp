@@ -1,0 +1,70 @@
+// Sessions that earlier versions wrote still open and lead to a result.
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "core/session/resume.h"
+
+namespace gripscan {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::vector<std::string> versions() {
+    std::set<std::string> names;
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(GRIPSCAN_SOURCE_DIR) / "tests/data/sessions")) {
+        if (entry.is_directory()) names.insert(entry.path().filename().string());
+    }
+    return {names.begin(), names.end()};
+}
+
+class SessionOfVersion : public testing::TestWithParam<std::string> {
+  protected:
+    [[nodiscard]] static fs::path folder() {
+        return fs::path(GRIPSCAN_SOURCE_DIR) / "tests/data/sessions" / GetParam();
+    }
+};
+
+TEST_P(SessionOfVersion, OpensAndIsComputed) {
+    const auto session = open_session(folder());
+    ASSERT_TRUE(session) << session.error().message;
+    const Status checked = check_session_files(*session, {}, for_each_in_order);
+    ASSERT_TRUE(checked) << checked.error().message;
+    const auto computed =
+        compute_turn(recording_of(*session), compute_settings_of(*session), {}, for_each_in_order);
+    ASSERT_TRUE(computed) << computed.error().message;
+    const TurnReport& report = computed->report;
+    EXPECT_GE(report.steps.size(), 2u);
+    EXPECT_TRUE(all_trusted(report)) << "as it was when it was recorded";
+    EXPECT_GT(report.merged.size(), 1000u);
+}
+
+TEST_P(SessionOfVersion, ItsJournalIsResumedOrRefusedWithAReason) {
+    const auto journal = read_journal(folder() / "journal");
+    ASSERT_TRUE(journal) << journal.error().message;
+    EXPECT_FALSE(journal->entries.empty());
+    const auto memory = open_memory(folder());
+    EXPECT_EQ(memory.has_value(), GetParam() != "0.1");
+    if (memory) {
+        EXPECT_EQ(memory->entries.size(), journal->entries.size());
+        return;
+    }
+    EXPECT_THAT(memory.error().message, HasSubstr("gripscan 0.1.0, whose journals cannot be"));
+    EXPECT_THAT(memory.error().message, HasSubstr("gripscan replay"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SessionOfVersion, testing::ValuesIn(versions()),
+                         [](const auto& version) {
+                             std::string name = "V" + version.param;
+                             std::replace(name.begin(), name.end(), '.', '_');
+                             return name;
+                         });
+
+TEST(Migration, TheFirstVersionIsThere) {
+    EXPECT_THAT(versions(), testing::Contains("0.1"));
+}
+
+}  // namespace
+}  // namespace gripscan
