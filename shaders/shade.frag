@@ -14,36 +14,37 @@ uniform float strength;  // 0: no eye-dome lighting
 uniform int rings;       // 1 while moving, 2 in a still picture
 uniform vec2 radius_px;  // of the two rings
 
-float log_z(ivec2 at) {
-    float d = texelFetch(cloud_depth, at, 0).r;
-    return log2(near_m * far_m / (far_m - d * (far_m - near_m)));
+// far - d (far - near), which is near * far / z: nearer is larger.
+float inverse_z(ivec2 at) {
+    return far_m - texelFetch(cloud_depth, at, 0).r * (far_m - near_m);
 }
 
-float darkening(ivec2 at, ivec2 size, float here, float radius) {
-    const vec2 kAround[8] = vec2[8](vec2(1, 0), vec2(0.7071, 0.7071), vec2(0, 1),
-                                    vec2(-0.7071, 0.7071), vec2(-1, 0), vec2(-0.7071, -0.7071),
-                                    vec2(0, -1), vec2(0.7071, -0.7071));
-    float sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        ivec2 there = clamp(at + ivec2(round(kAround[i] * radius)), ivec2(0), size - 1);
-        sum += max(0.0, here - log_z(there));
+// Product over neighbours of z_here / z_there where that is more than 1: the sum of differences of
+// log z, with one logarithm at the end. `count` is 0 over the background, where a software
+// rasteriser would walk an unrolled loop all the same.
+float nearer_neighbours(ivec2 at, ivec2 last, float here, float radius, int count) {
+    float product = 1.0;
+    vec2 around = vec2(radius, 0.0);
+    for (int i = 0; i < count; ++i) {
+        ivec2 there = clamp(at + ivec2(round(around)), ivec2(0), last);
+        product *= max(1.0, inverse_z(there) / here);
+        around = vec2(around.x - around.y, around.x + around.y) * 0.70710678;
     }
-    return sum / 8.0;
+    return product;
 }
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    if (texelFetch(cloud_depth, at, 0).r >= 1.0) {
-        pixel = vec4(mix(view_bottom, view_top, uv.y), 1.0);
-        return;
+    vec3 background = mix(view_bottom, view_top, uv.y);
+    bool is_cloud = texelFetch(cloud_depth, at, 0).r < 1.0;
+    int count = is_cloud && strength > 0.0 ? 8 : 0;
+    ivec2 last = textureSize(cloud_depth, 0) - 1;
+    float here = inverse_z(at);
+    float dark = log2(nearer_neighbours(at, last, here, radius_px.x, count)) / 8.0;
+    if (rings > 1) {
+        float outer = log2(nearer_neighbours(at, last, here, radius_px.y, count)) / 8.0;
+        dark = 0.6 * dark + 0.4 * outer;
     }
-    vec3 colour = texelFetch(cloud_colour, at, 0).rgb;
-    if (strength > 0.0) {
-        ivec2 size = textureSize(cloud_depth, 0);
-        float here = log_z(at);
-        float dark = darkening(at, size, here, radius_px.x);
-        if (rings > 1) dark = 0.6 * dark + 0.4 * darkening(at, size, here, radius_px.y);
-        colour *= exp(-strength * dark);
-    }
-    pixel = vec4(colour, 1.0);
+    vec3 colour = texelFetch(cloud_colour, at, 0).rgb * exp(-strength * dark);
+    pixel = vec4(is_cloud ? colour : background, 1.0);
 }

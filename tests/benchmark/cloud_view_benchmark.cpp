@@ -52,7 +52,8 @@ int main(int argc, char** argv) {
     if (!context || !view || !theme) return 1;
     fmt::print("{}\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
 
-    const auto chunks = test::synthetic_part(static_cast<std::size_t>(millions * 1e6), 36);
+    const auto chunks = test::synthetic_part(static_cast<std::size_t>(millions * 1e6),
+                                             argc > 3 ? std::atoi(argv[3]) : 36);
     ui::OrbitCamera camera;
     camera = ui::fitted(camera, {{-0.07, -0.07, 0.63}, {0.07, 0.07, 0.77}}, {900, 578});
     const ui::ViewSettings settings{

@@ -97,19 +97,19 @@ TEST_F(CloudPictures, EveryColouringShowsSomethingElse) {
 }
 
 TEST_F(CloudPictures, SlicesAddUpToThePictureDrawnAtOnce) {
-    // 600 000 points exceed the first budget: the first picture comes in slices, the second, after
+    // 350 000 points exceed the first budget: the first picture comes in slices, the second, after
     // quick frames have raised the budget, at once.
-    const auto chunks = test::synthetic_part(600000, 3);
+    const auto chunks = test::synthetic_part(350000, 3);
     const ViewSettings settings{.colour_by = ColourBy::kNormal};
     const test::Picture in_slices = picture(settings, ThemeChoice::kDark, chunks);
     const Theme theme = load_theme(ThemeChoice::kDark).value();
     OrbitCamera elsewhere = camera_;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 6; ++i) {
         elsewhere.yaw_rad += 0.01;
         ASSERT_TRUE(view_->draw({chunks, nullptr, elsewhere, settings}, kWidth, kHeight, theme,
                                 Scale(), 1.0));
     }
-    ASSERT_GT(view_->level_of_detail().budget(), 600000U);
+    ASSERT_GT(view_->level_of_detail().budget(), 350000U);
     EXPECT_EQ(different(in_slices, picture(settings, ThemeChoice::kDark, chunks)), 0U);
 }
 

@@ -90,7 +90,7 @@ ui::LineBatch synthetic_lines(const ui::Theme& theme, const Vector3d& eye_m) {
     ui::add_grid(lines, kCentre + Vector3d(0, 0.11, 0), Vector3d::UnitY(), 0.4, 0.05,
                  {theme.text.with_alpha(0.08), 1.0F, {}, HiddenStyle::kGone});
     ui::add_box(lines, {{-0.11, -0.1, -0.1}, {0.11, 0.1, 0.1}}, here,
-                {theme.text_second, 1.0F, {}, HiddenStyle::kFaint});
+                {theme.text_third, 1.0F, {}, HiddenStyle::kFaint});
     ui::add_box(lines, {{0.055, -0.03, -0.03}, {0.15, 0.03, 0.03}}, here,
                 {theme.gripper, 1.6F, {}, HiddenStyle::kFaint});
     ui::add_axis(lines, axis, -0.16, 0.32, {theme.axis, 1.6F, {14, 4, 3, 4}});

@@ -5,7 +5,7 @@
 namespace gripscan::ui {
 namespace {
 
-constexpr double kFewest = 50000.0;
+constexpr double kFewest = 30000.0;
 constexpr double kMost = 50e6;
 
 }  // namespace
