@@ -57,22 +57,36 @@ struct CloudView::Parts {
     LinePass lines;
     ShaderProgram shade;
     GlVertexArray no_vertices;
-    std::optional<RenderTarget> cloud;    ///< colours and depth of the points
+    std::optional<RenderTarget> moving;   ///< colours and depth of a sample, or of all if they fit
+    std::optional<RenderTarget> still;    ///< of all points, slice by slice
     std::optional<RenderTarget> picture;  ///< what is shown
+    RenderTarget* shown = nullptr;        ///< moving or still
     std::optional<PictureKey> key;
     LevelOfDetail detail;
     Box bounds;
 
     Status fit(int width_px, int height_px) {
-        if (cloud && cloud->width_px() == width_px && cloud->height_px() == height_px) return {};
+        if (picture && picture->width_px() == width_px && picture->height_px() == height_px) {
+            return {};
+        }
         key.reset();
-        auto deep = RenderTarget::make(width_px, height_px, DepthTexture::kFloat32);
-        if (!deep) return forward_error(deep.error());
-        auto flat = RenderTarget::make(width_px, height_px, DepthTexture::kNone);
-        if (!flat) return forward_error(flat.error());
-        cloud.emplace(*std::move(deep));
-        picture.emplace(*std::move(flat));
+        for (auto* target : {&moving, &still, &picture}) {
+            const bool flat = target == &picture;
+            auto made = RenderTarget::make(width_px, height_px,
+                                           flat ? DepthTexture::kNone : DepthTexture::kFloat32);
+            if (!made) return forward_error(made.error());
+            target->emplace(*std::move(made));
+        }
         return {};
+    }
+
+    /// The target of a slice; decides which one is shown.
+    RenderTarget& target_of(const Slice& slice, bool changed) {
+        constexpr double kShowFrom = 0.5;  // of the points: by then denser than the sample
+        if (changed) shown = &*moving;
+        if (changed || slice.empty()) return *shown;
+        if (slice.to >= kShowFrom) shown = &*still;
+        return *still;
     }
 
     void shade_cloud(const Theme& theme, Scale scale, const ClipRange& range, bool eye_dome) {
@@ -81,9 +95,9 @@ struct CloudView::Parts {
         glDisable(GL_BLEND);
         shade.use();
         glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, cloud->colour());
+        glBindTexture(GL_TEXTURE_2D, shown->colour());
         glActiveTexture(GL_TEXTURE1);
-        glBindTexture(GL_TEXTURE_2D, cloud->depth());
+        glBindTexture(GL_TEXTURE_2D, shown->depth());
         shade.set("cloud_colour", 0);
         shade.set("cloud_depth", 1);
         shade.set("view_top", rgb(theme.view_top));
@@ -135,12 +149,12 @@ Status CloudView::draw(const Scene& scene, int width_px, int height_px, const Th
     if (last_frame_ms > 0.0) parts.detail.measured(last_frame_ms);
     const Slice slice = parts.detail.next(parts.points.total(scene.chunks), changed);
 
-    parts.cloud->bind();
+    parts.target_of(slice, changed).bind();
     parts.points.draw(scene.chunks, scene.camera, viewport, range, scene.settings, theme, scale,
                       slice);
     parts.shade_cloud(theme, scale, range, scene.settings.eye_dome);
     if (scene.lines != nullptr) {
-        parts.lines.draw(*scene.lines, scene.camera, viewport, range, scale, parts.cloud->depth());
+        parts.lines.draw(*scene.lines, scene.camera, viewport, range, scale, parts.shown->depth());
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return {};

@@ -7,20 +7,25 @@ namespace {
 
 constexpr double kFewest = 30000.0;
 constexpr double kMost = 50e6;
+/// A still view may take this much longer a frame: nobody waits for it.
+constexpr double kStillFactor = 3.0;
 
 }  // namespace
 
 Slice LevelOfDetail::next(std::size_t total, bool changed) {
-    const double from = changed ? 0.0 : drawn_;
-    const double part = total > 0 ? std::min(1.0, budget_ / static_cast<double>(total)) : 1.0;
-    const Slice slice{from, std::min(1.0, from + part), changed};
-    drawn_ = slice.to;
-    last_points_ = (slice.to - slice.from) * static_cast<double>(total);
+    const bool anew = changed || coarse_;
+    const double from = anew ? 0.0 : drawn_;
+    const double points = changed ? budget_ : kStillFactor * budget_;
+    const double part = total > 0 ? std::min(1.0, points / static_cast<double>(total)) : 1.0;
+    Slice slice{from, std::min(1.0, from + part), anew, false};
+    slice.coarse = coarse_ = changed && slice.to < 1.0;
+    drawn_ = slice.coarse ? 0.0 : slice.to;
+    last_points_ = changed ? slice.to * static_cast<double>(total) : 0.0;
     return slice;
 }
 
 void LevelOfDetail::measured(double frame_ms) {
-    if (!(frame_ms > 0.0)) return;
+    if (!(frame_ms > 0.0) || last_points_ <= 0.0) return;
     // Only a frame that used its budget tells what fits; shorter ones tell nothing.
     const bool full = last_points_ >= 0.9 * budget_;
     const double ratio = std::clamp(target_ms_ / frame_ms, 0.5, 1.25);

@@ -1,6 +1,7 @@
-// How many points are drawn: while the view moves as many as fit into a frame's time, and once it
-// stands still the rest, slice by slice, until all are there. The points of a chunk are in random
-// order, so that every slice is an even sample.
+// How many points are drawn: while the view moves as many as fit into a frame's time, somewhat
+// larger; once it stands still all of them, slice by slice, beside the coarse picture, so that the
+// finished one does not depend on how it came about. The points of a chunk are in random order:
+// every slice is an even sample.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,8 @@ namespace gripscan::ui {
 struct Slice {
     double from = 0.0;
     double to = 0.0;
-    bool clear = false;  ///< the picture begins anew
+    bool clear = false;   ///< the picture begins anew
+    bool coarse = false;  ///< only a sample, for a moving view
 
     /// Indices of a chunk of `size` points: neighbouring slices meet without gap or overlap.
     [[nodiscard]] std::size_t first(std::size_t size) const {
@@ -41,8 +43,9 @@ class LevelOfDetail {
   private:
     double target_ms_;
     double budget_ = 300000.0;
-    double drawn_ = 1.0;  ///< part of the points that the picture shows
-    double last_points_ = 0.0;
+    double drawn_ = 1.0;        ///< part of the points that the picture holds
+    bool coarse_ = false;       ///< the picture is a sample: the full one has not begun
+    double last_points_ = 0.0;  ///< of the last moving frame; 0 after a still one
 };
 
 }  // namespace gripscan::ui

@@ -116,7 +116,9 @@ void PointPass::draw(std::span<const PointChunk> chunks, const OrbitCamera& came
     if (slice.empty()) return;
     program_.use();
     set_colours(settings, theme);
-    const float size = std::clamp(settings.point_size_px, 1.0F, 10.0F) * scale.factor();
+    constexpr float kCoarser = 1.75F;  // a sample leaves gaps
+    const float size = std::clamp(settings.point_size_px, 1.0F, 10.0F) * scale.factor() *
+                       (slice.coarse ? kCoarser : 1.0F);
     program_.set("size_px", size);
     const Eigen::Matrix4d clip = clip_from_world(camera, viewport, range);
     const Eigen::Matrix4d view = camera.T_view_world().matrix();

@@ -32,14 +32,17 @@ TEST(LevelOfDetail, SlicesOfAStillPictureMeetWithoutGapOrOverlap) {
         const auto total = size + static_cast<std::size_t>(random.uniform(0, 5e6));
         LevelOfDetail detail;
         std::size_t next = 0;
-        for (bool changed = true; next < size || !detail.complete(); changed = false) {
-            const Slice slice = detail.next(total, changed);
+        const bool coarse = detail.next(total, true).coarse;
+        EXPECT_EQ(detail.complete(), !coarse);
+        for (bool first = true; !detail.complete(); first = false) {
+            const Slice slice = detail.next(total, false);
             EXPECT_EQ(slice.first(size), next);
-            EXPECT_EQ(slice.clear, changed);
+            EXPECT_EQ(slice.clear, first);
+            EXPECT_FALSE(slice.coarse);
             next = slice.end(size);
             detail.measured(random.uniform(1.0, 100.0));
         }
-        EXPECT_EQ(next, size);
+        EXPECT_EQ(next, coarse ? size : 0U);
     }
 }
 
@@ -50,6 +53,7 @@ TEST(LevelOfDetail, AChangeBeginsAnew) {
     const Slice slice = detail.next(5000000, true);
     EXPECT_EQ(slice.from, 0.0);
     EXPECT_TRUE(slice.clear);
+    EXPECT_TRUE(slice.coarse);
     EXPECT_FALSE(detail.complete());
 }
 
