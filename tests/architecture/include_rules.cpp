@@ -30,6 +30,19 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> kCore{
     {"sim", {"camera", "robot"}},
 };
 
+/// Folders of the window, bottom to top, with those they know directly.
+const std::vector<std::pair<std::string, std::vector<std::string>>> kUi{
+    {"resources", {}},
+    {"layout", {}},
+    {"theme", {"resources", "layout"}},
+    {"gl", {"resources"}},
+    {"fonts", {"theme"}},
+    {"widgets", {"fonts"}},
+    {"render", {"gl", "theme"}},
+    {"shell", {"gl", "widgets"}},
+    {"panels", {"render", "widgets"}},
+};
+
 /// Where a library of others may be included. "core" and the like stand for everything below.
 struct LibraryRule {
     std::string_view prefix;
@@ -62,26 +75,42 @@ const std::vector<LibraryRule> kLibraries{
      {"core/session", "core/report", "core/sim", "core/recognition", "ui", "app"},
      true},
     {"CLI/", {"app"}, true},
-    {"imgui", {"ui", "app"}, true},
-    {"GLFW/", {"ui", "app"}, true},
-    {"epoxy/", {"ui", "app"}, true},
-    {"EGL/", {"ui", "app"}, true},
+    {"imgui", {"ui"}, true},
+    {"GLFW/", {"ui/shell"}, false},
+    {"epoxy/", {"ui/gl", "ui/render", "ui/shell"}, true},
 };
 
 /// The files that may include PCL: its templates take many seconds to compile.
 constexpr std::array<std::string_view, 2> kPclWrappers{"core/cloud/pcd_format.cpp",
                                                        "core/registration/paper_icp.cpp"};
 
+std::set<std::string> known_by(const decltype(kCore)& table, const std::string& folder) {
+    const auto row =
+        std::find_if(table.begin(), table.end(), [&](const auto& r) { return r.first == folder; });
+    if (row == table.end()) return {};
+    std::set<std::string> known{folder};
+    for (const std::string& below : row->second) known.merge(known_by(table, below));
+    return known;
+}
+
+std::set<std::string> ui_folders_known_by(const std::string& folder) {
+    return known_by(kUi, folder);
+}
+
 bool is_inside(std::string_view path, std::string_view folder) {
     return path.size() > folder.size() && path.starts_with(folder) && path[folder.size()] == '/';
 }
 
-/// "core/cloud/a.h" -> "cloud"; nothing outside core.
-std::string core_folder(std::string_view path) {
-    if (!is_inside(path, "core")) return {};
-    path.remove_prefix(5);
+/// "core/cloud/a.h" in "core" -> "cloud"; nothing outside, and for files of `top` itself.
+std::string folder_in(std::string_view path, std::string_view top) {
+    if (!is_inside(path, top)) return {};
+    path.remove_prefix(top.size() + 1);
     const auto end = path.find('/');
     return end == std::string_view::npos ? std::string() : std::string(path.substr(0, end));
+}
+
+std::string core_folder(std::string_view path) {
+    return folder_in(path, "core");
 }
 
 /// Headers of the C++ library have no dot; those of the system end with .h and stand in known
@@ -98,6 +127,15 @@ bool is_system_header(std::string_view target) {
                        [&](std::string_view known) { return target.starts_with(known); });
 }
 
+/// The same for a file of ui/`from` that includes a header of the window.
+std::string ui_breach(const std::string& from, const std::string& target) {
+    const std::string to = folder_in(target, "ui");
+    if (from.empty() || to.empty()) return {};  // files of ui itself serve every room
+    const auto known = ui_folders_known_by(from);
+    if (known.empty()) return fmt::format("ui/{} is not in the table of folders", from);
+    return known.contains(to) ? "" : fmt::format("ui/{} does not know ui/{}", from, to);
+}
+
 /// What is wrong with our own header there; empty if nothing is.
 std::string own_breach(const std::string& path, const std::string& target) {
     if (is_inside(path, "core")) {
@@ -107,8 +145,11 @@ std::string own_breach(const std::string& path, const std::string& target) {
         if (known.empty()) return fmt::format("core/{} is not in the table of folders", from);
         if (to.empty()) return "core includes only core, by paths from the root";
         if (!known.contains(to)) return fmt::format("core/{} does not know core/{}", from, to);
-    } else if (is_inside(path, "ui") && !is_inside(target, "ui") && core_folder(target).empty()) {
-        return "ui includes only ui and core";
+    } else if (is_inside(path, "ui")) {
+        if (!is_inside(target, "ui") && core_folder(target).empty()) {
+            return "ui includes only ui and core";
+        }
+        return ui_breach(folder_in(path, "ui"), target);
     } else if (is_inside(path, "app") && is_inside(target, "tests")) {
         return "the program does not include tests";
     }
@@ -145,12 +186,7 @@ bool is_product(const SourceFile& file) {
 }  // namespace
 
 std::set<std::string> folders_known_by(const std::string& folder) {
-    const auto row =
-        std::find_if(kCore.begin(), kCore.end(), [&](const auto& r) { return r.first == folder; });
-    if (row == kCore.end()) return {};
-    std::set<std::string> known{folder};
-    for (const std::string& below : row->second) known.merge(folders_known_by(below));
-    return known;
+    return known_by(kCore, folder);
 }
 
 std::vector<std::string> include_breaches(const std::vector<SourceFile>& files) {

@@ -1,0 +1,165 @@
+#include "ui/shell/app_window.h"
+
+#include <epoxy/gl.h>
+#include <imgui_impl_glfw.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "ui/gl/render_target.h"
+#include "ui/shell/glfw_window.h"
+#include "ui/shell/imgui_painter.h"
+#include "ui/shell/imgui_session.h"
+
+namespace gripscan::ui {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Dear ImGui needs a frame to see an event and another to show what it did.
+constexpr int kFramesPerEvent = 3;
+/// Longest sleep: a lost wake-up would show after this.
+constexpr double kLongestWait_s = 2.0;
+constexpr double kCursorBlink_s = 0.4;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+struct AppWindow::Parts {
+    std::unique_ptr<GlfwWindow> window;
+    std::unique_ptr<ImGuiSession> session;
+    std::unique_ptr<ImGuiPainter> painter;
+    bool glfw_backend = false;
+    WidgetLog log;
+    Clock::time_point opened = Clock::now();
+    float user_scale = 1.0F;
+    ThemeChoice theme = ThemeChoice::kDark;
+    bool theme_changed = false;
+    FrameTimes last;
+    std::size_t frames = 0;
+    Capture capture;
+
+    ~Parts() {
+        painter.reset();
+        if (glfw_backend) ImGui_ImplGlfw_Shutdown();
+        session.reset();
+    }
+
+    /// Scale and theme, between frames.
+    Status apply_changes() {
+        const Scale wanted(window->content_scale() * user_scale);
+        if (auto set = session->set_scale(wanted); !set) return set;
+        if (!std::exchange(theme_changed, false)) return {};
+        return session->set_theme(theme);
+    }
+
+    FrameWish draw(const Frame& frame, std::vector<std::filesystem::path> dropped) {
+        const auto start = Clock::now();
+        const auto size = window->framebuffer();
+        painter->begin_frame(session->fonts_changed());
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        const Ui ui = session->frame_ui(log, seconds_since(opened));
+        begin_screen(ui, ui.theme.bg0);
+        FrameWish wish = frame({ui, size.width_px, size.height_px, last, std::move(dropped)});
+        end_screen();
+        ImGui::Render();
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, size.width_px, size.height_px);
+        painter->paint();
+        if (auto wanted = std::exchange(capture, nullptr)) {
+            wanted(size.width_px, size.height_px,
+                   read_framebuffer_rgba(size.width_px, size.height_px));
+        }
+        last.own_ms = 1e3 * seconds_since(start);
+        const auto swap_start = Clock::now();
+        window->swap();
+        last.swap_ms = 1e3 * seconds_since(swap_start);
+        ++frames;
+        if (ImGui::GetIO().WantTextInput) {
+            wish.redraw_after_s = std::min(wish.redraw_after_s, kCursorBlink_s);
+        }
+        return wish;
+    }
+};
+
+AppWindow::AppWindow() : parts_(std::make_unique<Parts>()) {}
+AppWindow::~AppWindow() = default;
+
+Result<std::unique_ptr<AppWindow>> AppWindow::make(const WindowSettings& settings) {
+    auto window = GlfwWindow::make(settings.title, settings.width_px, settings.height_px);
+    if (!window) return forward_error(window.error());
+    std::unique_ptr<AppWindow> app(new AppWindow());
+    Parts& parts = *app->parts_;
+    parts.window = *std::move(window);
+    parts.user_scale = settings.user_scale;
+    parts.theme = settings.theme;
+    const Scale scale(parts.window->content_scale() * settings.user_scale);
+    auto session = ImGuiSession::make(settings.theme, scale);
+    if (!session) return forward_error(session.error());
+    parts.session = *std::move(session);
+    parts.glfw_backend = ImGui_ImplGlfw_InitForOpenGL(parts.window->handle(), true);
+    auto painter = ImGuiPainter::make();
+    if (!painter) return forward_error(painter.error());
+    parts.painter = *std::move(painter);
+    return app;
+}
+
+Status AppWindow::run(const Frame& frame, std::size_t most_frames) {
+    Parts& parts = *parts_;
+    const std::size_t first = parts.frames;
+    int owed = kFramesPerEvent;  // frames that are drawn without waiting
+    auto due = Clock::time_point::max();
+    while (!parts.window->close_requested()) {
+        const bool at_once = owed > 0 || most_frames > 0;
+        const double until_due =
+            due == Clock::time_point::max() ? kLongestWait_s : -seconds_since(due);
+        auto news = parts.window->wait(at_once ? 0.0 : std::clamp(until_due, 0.0, kLongestWait_s));
+        if (news.anything) owed = kFramesPerEvent;
+        const bool timer = Clock::now() >= due;
+        if (owed == 0 && !timer && most_frames == 0) continue;
+
+        if (auto applied = parts.apply_changes(); !applied) return applied;
+        const FrameWish wish = parts.draw(frame, std::move(news.dropped));
+        owed = std::max(0, owed - 1);
+        due = std::isinf(wish.redraw_after_s)
+                  ? Clock::time_point::max()
+                  : Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                       std::chrono::duration<double>(wish.redraw_after_s));
+        if (wish.close) break;
+        if (most_frames > 0 && parts.frames - first >= most_frames) break;
+    }
+    return {};
+}
+
+void AppWindow::request_redraw() {
+    GlfwWindow::wake();
+}
+
+void AppWindow::capture_next(Capture capture) {
+    parts_->capture = std::move(capture);
+}
+
+void AppWindow::set_user_scale(float factor) {
+    parts_->user_scale = factor;
+}
+
+void AppWindow::set_theme(ThemeChoice theme) {
+    parts_->theme_changed = parts_->theme_changed || theme != parts_->theme;
+    parts_->theme = theme;
+}
+
+std::size_t AppWindow::frames_drawn() const {
+    return parts_->frames;
+}
+
+const WidgetLog& AppWindow::widgets() const {
+    return parts_->log;
+}
+
+}  // namespace gripscan::ui

@@ -1,0 +1,51 @@
+// A GLFW window with an OpenGL 3.3 context, and what happened to it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+struct GLFWwindow;
+
+namespace gripscan::ui {
+
+class GlfwWindow {
+  public:
+    [[nodiscard]] static Result<std::unique_ptr<GlfwWindow>> make(const std::string& title,
+                                                                  int width_px, int height_px);
+    ~GlfwWindow();
+    GlfwWindow(const GlfwWindow&) = delete;
+    GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+    /// What came in since it was last asked.
+    struct News {
+        bool anything = false;  ///< input, a new size, damage, a wake-up from another thread
+        std::vector<std::filesystem::path> dropped;
+    };
+    /// Waits for events, at most that long (0: only looks).
+    [[nodiscard]] News wait(double seconds);
+    /// From any thread.
+    static void wake();
+
+    struct Size {
+        int width_px;
+        int height_px;
+    };
+    [[nodiscard]] Size framebuffer() const;
+    /// Of the monitor the window is on.
+    [[nodiscard]] float content_scale() const;
+    [[nodiscard]] bool close_requested() const;
+    void swap();
+    [[nodiscard]] GLFWwindow* handle() const { return window_; }
+
+  private:
+    GlfwWindow() = default;
+    void listen();
+    GLFWwindow* window_ = nullptr;
+    News news_;
+};
+
+}  // namespace gripscan::ui

@@ -1,0 +1,44 @@
+// Words, icons and lines at places: the small brushes all widgets paint with.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+
+#include "ui/widgets/ui.h"
+
+namespace gripscan::ui {
+
+enum class Align { kLeft, kCentre, kRight };
+
+[[nodiscard]] float text_width(const Ui& ui, FontRole role, std::string_view text);
+
+/// One line. `x` is its left end, centre or right end, `y` the middle of its capitals, so that
+/// different faces and sizes stand on a common line. Returns the x where it ends.
+float draw_text(const Ui& ui, float x, float y, FontRole role, const Colour& colour,
+                std::string_view text, Align align = Align::kLeft);
+
+/// The text as it fits, cut with "…" where it is too wide.
+[[nodiscard]] std::string fitted(const Ui& ui, FontRole role, std::string_view text, float width);
+
+/// Centred on a point.
+void draw_icon(const Ui& ui, float x, float y, Icon icon, const Colour& colour,
+               FontRole size = FontRole::kIcon);
+
+void fill(const Rect& rect, const Colour& colour, float radius = 0.0F);
+/// The border lies inside the rectangle.
+void outline(const Rect& rect, const Colour& colour, float thickness, float radius = 0.0F);
+void dashed_outline(const Ui& ui, const Rect& rect, const Colour& colour, float dash_px,
+                    float gap_px);
+void draw_line(const Ui& ui, ImVec2 a, ImVec2 b, const Colour& colour, float thickness = 0.0F);
+void dashed_line(const Ui& ui, ImVec2 a, ImVec2 b, const Colour& colour, float dash_px,
+                 float gap_px);
+
+/// A number as it is shown: fixed decimals, U+2212 as minus, an explicit plus on request.
+enum class Sign { kMinusOnly, kAlways };
+[[nodiscard]] std::string shown_number(double value, int decimals, Sign sign = Sign::kMinusOnly);
+/// Thousands parted by thin spaces.
+[[nodiscard]] std::string shown_count(long long count);
+
+}  // namespace gripscan::ui
