@@ -26,6 +26,7 @@ struct Box {
         }
         return result;
     }
+    friend bool operator==(const Box&, const Box&) = default;
 };
 
 }  // namespace gripscan

@@ -40,7 +40,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> kUi{
     {"widgets", {"fonts"}},
     {"render", {"gl", "theme"}},
     {"shell", {"gl", "widgets"}},
-    {"panels", {"render", "widgets"}},
+    {"views", {"theme"}},
+    {"panels", {"views", "render", "widgets"}},
 };
 
 /// Where a library of others may be included. "core" and the like stand for everything below.

@@ -1,0 +1,152 @@
+// What the window shows in one frame: plain data that the workstation puts together and panels
+// read. Nothing in it changes while a frame is drawn; heavy parts are shared and never copied.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/geometry/axis.h"
+#include "core/geometry/box.h"
+#include "core/geometry/stereo_rig.h"
+#include "core/procedure/compute_turn.h"
+#include "core/procedure/procedure_state.h"
+#include "core/registration/template_filter.h"
+#include "ui/theme/theme.h"
+#include "ui/views/page.h"
+
+namespace gripscan::ui {
+
+/// Rectified images of one exposure, 8-bit grey, and what was measured in them.
+struct StereoPicture {
+    cv::Mat left;
+    cv::Mat right;
+    cv::Mat disparity;  ///< CV_32F of the left image's size, +inf where unknown; empty: not made
+    std::optional<StereoHealth> left_health;   ///< inside the registration area
+    std::optional<StereoHealth> right_health;  ///< fill and row error are those of the pair
+    double t_s = 0.0;
+};
+
+struct LiveStereo {
+    std::shared_ptr<const StereoPicture> picture;  ///< the latest; null: none yet
+    std::uint64_t number = 0;                      ///< rises with every picture
+    double rate_hz = 0.0;
+    std::uint64_t dropped = 0;
+    bool on = false;
+    std::string why_off;  ///< "the camera is used by the capture"
+    std::string trouble;  ///< of the camera; empty: none
+};
+
+/// One capture of the turn as it can be shown.
+struct ShownCapture {
+    int index = 0;
+    int attempt = 1;
+    std::uint64_t generation = 0;        ///< rises when the capture was taken again
+    std::shared_ptr<const Cloud> cloud;  ///< camera frame, cropped to the registration area
+    std::shared_ptr<const StereoPicture> picture;  ///< null: it came as a cloud
+};
+
+/// The work that is going on, with its progress.
+struct ShownJob {
+    std::string name;
+    double part = 0.0;  ///< 0 … 1; < 0: unknown
+    double elapsed_s = 0.0;
+    bool can_cancel = true;
+};
+
+enum class LogLevel { kInformation, kWarning, kError };
+struct LogLine {
+    std::chrono::system_clock::time_point when;
+    LogLevel level = LogLevel::kInformation;
+    std::string code;  ///< "REG-012"
+    std::string text;
+};
+
+/// A line of the start page.
+struct RecentSession {
+    std::filesystem::path folder;
+    std::string name;
+    std::string kind;  ///< "gripper"
+    std::string cell;  ///< "SIM", or the cell file's name
+    int steps_done = 0;
+    int steps_total = 0;
+    std::optional<double> closure_deg;
+    std::optional<double> closure_mm;
+    enum class End { kComplete, kCheck, kRejected, kInterrupted, kMissing } end = End::kComplete;
+    std::string sentence;  ///< "complete", "closed while busy; nothing is lost"
+    std::chrono::system_clock::time_point last_used;
+};
+
+struct SessionFacts {
+    std::filesystem::path folder;
+    std::string name;
+    std::string cell_name;  ///< "simulated cell"
+    bool recorded = false;  ///< opened to look at: no commands
+    std::string results;    ///< folder of the results, where there are any
+};
+
+/// The cell around the turn, as far as it is known.
+struct CellFrame {
+    std::optional<RectifiedRig> rig;
+    std::optional<Box> region;  ///< registration area, camera frame
+    std::optional<Axis> axis;   ///< joint 6, camera frame
+    std::optional<double> axis_sd_rad;
+    std::optional<double> axis_sd_m;
+    std::optional<Pose> T_robot_camera;
+};
+
+struct ToastView {
+    std::string id;
+    LogLevel level = LogLevel::kInformation;
+    std::string title;
+    std::string text;
+};
+
+/// What the user set; stored between sessions.
+struct WindowPreferences {
+    ThemeChoice theme = ThemeChoice::kDark;
+    double user_scale = 1.0;
+    bool large_buttons = false;
+    std::string navigation = "gripscan";
+    std::vector<std::pair<std::string, std::string>> keys;  ///< action, key: those that differ
+};
+
+/// Something that failed, for the dialog that says what to do.
+struct ShownError {
+    std::string title;
+    std::string what;  ///< value, place, reason
+    std::string advice;
+};
+
+struct Snapshot {
+    Page page = Page::kStart;
+    Dialog dialog = Dialog::kNone;
+    WindowPreferences preferences;
+    std::vector<RecentSession> recent;  ///< latest first
+
+    std::optional<SessionFacts> session;         ///< nothing: none is open
+    const ProcedureState* procedure = nullptr;   ///< with a session
+    std::vector<ShownCapture> captures;          ///< those whose data are here
+    std::shared_ptr<const ComputedTurn> solved;  ///< poses, template, axis, closure
+    CellFrame cell;
+    LiveStereo live;
+    std::optional<ShownJob> job;
+    std::optional<double> seconds_left;  ///< of the turn, from real step times
+    std::size_t selected_row = 0;        ///< of Table 1
+    bool follows_last = true;            ///< the selection is the last row
+
+    std::span<const LogLine> log;
+    std::vector<ToastView> toasts;
+    std::optional<ShownError> error;
+    TemplateFilter filter;    ///< of the template page
+    std::string last_export;  ///< "read back equal: 369 090 points, …"; empty: none yet
+    std::string version;
+};
+
+}  // namespace gripscan::ui
