@@ -3,14 +3,10 @@
 #include "app/cell_options.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/open_cell.h"
-#include "app/run_results.h"
 #include "app/threads.h"
 #include "app/turn_driver.h"
-#include "app/turn_session.h"
+#include "app/turn_run.h"
 #include "app/turn_work.h"
-#include "core/procedure/cell_effects.h"
-#include "core/procedure/region_stillness.h"
 
 namespace gripscan::app {
 namespace {
@@ -40,102 +36,42 @@ Status check_run(const RunOptions& options) {
     return {};
 }
 
-/// Everything of a run that has to live as long as its engine.
-struct Run {
-    Cell cell;
-    TurnSession session;
-    bool resumed = false;
-};
-
-Result<Run> open_run(const RunOptions& options) {
-    if (!options.resume || is_fresh_session(options.out)) {
-        auto cell = open_cell(options.cell);
-        if (!cell) return forward_error(cell.error());
-        auto session = begin_session(options.out, options.cell, *cell);
-        if (!session) return forward_error(session.error());
-        return Run{std::move(*cell), std::move(*session), false};
-    }
-    auto remembered = remember_session(options.out);
-    if (!remembered) return forward_error(remembered.error());
-    // Which cell it was is known; a cell file may say again where it is now.
-    CellOptions cell_options = remembered->options;
-    if (!options.cell.simulated()) cell_options.cell = options.cell.cell;
-    auto cell = open_cell(cell_options);
-    if (!cell) return forward_error(cell.error());
-    return Run{std::move(*cell),
-               TurnSession{std::move(remembered->store), std::move(remembered->spec),
-                           std::move(remembered->state)},
-               true};
-}
-
-Result<CellEffects> effects_of(Run& run, const RunOptions& options, ResultKeeper& results,
-                               const ForEach& for_each) {
-    ComputeTurnSettings settings =
-        compute_settings_of(Session{options.out, run.session.spec, run.cell.rig, {}});
-    options.turn.apply_to(settings);
-    auto workspace = TurnWorkspace::create(run.cell.rig, run.session.spec.region, settings);
-    if (!workspace) return forward_error(workspace.error());
-    auto differs = region_stillness(run.cell.rig, run.session.spec.region);
-    if (!differs) return forward_error(differs.error());
-    CellEquipment equipment{.robot = run.cell.robot.get(),
-                            .source = *run.cell.camera,
-                            .rig = run.cell.rig,
-                            .region = run.session.spec.region,
-                            .axis_hint = run.session.spec.axis_hint,
-                            .T_robot_camera = run.cell.T_robot_camera,
-                            .session = options.out,
-                            .exposure = {.settle_s = run.cell.settle_s},
-                            .differs = std::move(*differs)};
-    return CellEffects(std::move(equipment), std::move(*workspace), run.session.store, results,
-                       for_each);
-}
-
-Result<DrivenTurn> drive(Run& run, const RunOptions& options, RunResults& results,
-                      const Context& context) {
-    WorkerPool pool(thread_count(context));
-    auto effects = effects_of(run, options, results, pool.for_each());
-    if (!effects) return forward_error(effects.error());
-    Engine engine(std::move(run.session.state), *effects, run.session.store,
-                  run.session.store.journal());
-    if (run.resumed) {
-        engine.tell(event::ProgramEnded{});
-        if (auto taken = engine.pump(std::chrono::seconds(1)); !taken) {
-            return forward_error(taken.error());
+Result<ExitStatus> finish(TurnRun& run, const DrivenTurn& driven, const RunOptions& options,
+                          const Context& context) {
+    if (!options.truth.empty()) {
+        if (Status s = run.cell().simulated->write_truth(options.truth); !s) {
+            return forward_error(s.error());
         }
     }
-    return drive_turn(engine, {run.resumed}, context);
+    switch (driven.end) {
+        case TurnEnd::kFinished:
+        case TurnEnd::kStopped:
+            return run.results().deliver(driven.end == TurnEnd::kFinished, context);
+        case TurnEnd::kRehearsed:
+            tell_rehearsal(driven.state, context);
+            return kDone;
+        case TurnEnd::kCellRefused:
+        case TurnEnd::kNothing:
+            tell_refusal(driven.state, context);
+            break;
+    }
+    return kNotTrusted;
 }
 
 Result<ExitStatus> run_gripper(const RunOptions& options, const Context& context) {
     if (Status sensible = check_run(options); !sensible) return forward_error(sensible.error());
-    auto run = open_run(options);
+    auto run = TurnRun::open(
+        {options.cell, options.out, options.resume, options.turn, thread_count(context)}, {},
+        context.stop);
     if (!run) return forward_error(run.error());
-    RunResults results(options.out, options.turn);
-    const auto driven = drive(*run, options, results, context);
+    const auto driven = drive_turn((*run)->engine(), {(*run)->resumed()}, context);
     if (!driven) {
         say(context, fmt::format("what was recorded lies in {}; go on with: gripscan run gripper "
                                  "--resume --out {}",
                                  options.out, options.out));
         return forward_error(driven.error());
     }
-    if (!options.truth.empty()) {
-        if (Status s = run->cell.simulated->write_truth(options.truth); !s) {
-            return forward_error(s.error());
-        }
-    }
-    switch (driven->end) {
-        case TurnEnd::kFinished:
-        case TurnEnd::kStopped:
-            return results.deliver(driven->end == TurnEnd::kFinished, context);
-        case TurnEnd::kRehearsed:
-            tell_rehearsal(driven->state, context);
-            return kDone;
-        case TurnEnd::kCellRefused:
-        case TurnEnd::kNothing:
-            tell_refusal(driven->state, context);
-            break;
-    }
-    return kNotTrusted;
+    return finish(**run, *driven, options, context);
 }
 
 }  // namespace

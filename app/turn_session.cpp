@@ -5,7 +5,6 @@
 #include "core/base/units.h"
 #include "core/procedure/engine.h"
 #include "core/procedure/journal_codec.h"
-#include "core/session/resume.h"
 
 namespace gripscan::app {
 namespace {
@@ -75,12 +74,10 @@ Result<TurnSession> begin_session(const std::filesystem::path& folder, const Cel
     return TurnSession{std::move(*store), spec, first_state(plan)};
 }
 
-Result<RememberedSession> remember_session(const std::filesystem::path& folder) {
-    auto resumed = resume_session(folder);
-    if (!resumed) return forward_error(resumed.error());
-    const auto journal = folder / "journal";
+Result<RecalledSession> recall_session(const SessionMemory& memory) {
+    const auto journal = memory.folder / "journal";
     Entries read;
-    for (const JournalEntry& entry : resumed->memory.entries) {
+    for (const JournalEntry& entry : memory.entries) {
         if (Status s = read_entry(entry, read); !s) {
             return input_error("{}:{}: {}", journal.string(), entry.number, s.error().message);
         }
@@ -93,11 +90,22 @@ Result<RememberedSession> remember_session(const std::filesystem::path& folder) 
     }
     auto state = replay_inputs(first_state(*read.plan), read.inputs);
     if (!state) return input_error("{}: {}", journal.string(), state.error().message);
-    if (Status s = resumed->store.save_table(state->data.captures); !s) {
+    return RecalledSession{*read.options, std::move(*state)};
+}
+
+Result<RememberedSession> remember_session(const std::filesystem::path& folder) {
+    auto resumed = resume_session(folder);
+    if (!resumed) return forward_error(resumed.error());
+    auto recalled = recall_session(resumed->memory);
+    if (!recalled) return forward_error(recalled.error());
+    if (Status s = resumed->store.save_table(recalled->state.data.captures); !s) {
         return forward_error(s.error());
     }
-    return RememberedSession{std::move(resumed->store), resumed->memory.spec, *read.options,
-                             std::move(*state)};
+    if (Status s = resumed->store.save_plan(recalled->state.plan); !s) {
+        return forward_error(s.error());
+    }
+    return RememberedSession{std::move(resumed->store), resumed->memory.spec,
+                             std::move(recalled->options), std::move(recalled->state)};
 }
 
 }  // namespace gripscan::app

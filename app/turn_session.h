@@ -8,7 +8,7 @@
 #include "app/cell_options.h"
 #include "app/open_cell.h"
 #include "core/procedure/procedure_state.h"
-#include "core/session/session_store.h"
+#include "core/session/resume.h"
 
 namespace gripscan::app {
 
@@ -29,6 +29,14 @@ struct RememberedSession {
     CellOptions options;
     ProcedureState state;  ///< after the last entry
 };
+/// What the journal of a session leads to; reads only. Errors: no journal, a damaged one, one of
+/// another version or of no run.
+struct RecalledSession {
+    CellOptions options;
+    ProcedureState state;
+};
+[[nodiscard]] Result<RecalledSession> recall_session(const SessionMemory& memory);
+
 [[nodiscard]] Result<RememberedSession> remember_session(const std::filesystem::path& folder);
 
 }  // namespace gripscan::app

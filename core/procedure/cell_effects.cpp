@@ -1,5 +1,7 @@
 #include "core/procedure/cell_effects.h"
 
+#include <atomic>
+
 #include "core/procedure/cell_check.h"
 #include "core/procedure/measure_cell.h"
 #include "core/procedure/warm_up_axis.h"
@@ -40,13 +42,12 @@ struct CellEffects::Doing {
     }
     Event operator()(const effect::Turn& e) const { return self.turn(e.command, progress.stop); }
     Event operator()(const effect::LogTurn&) const { return event::TurnLogged{}; }
-    Event operator()(const effect::Expose& e) const {
-        return self.expose_shot(e.shot, progress);
-    }
+    Event operator()(const effect::Expose& e) const { return self.expose_shot(e.shot, progress); }
     Event operator()(const effect::Judge& e) const { return self.judge(e, state, progress); }
     Event operator()(const effect::EstimateAxis&) const { return self.estimate(state, progress); }
     Event operator()(const effect::Solve&) const { return self.solve(state, progress); }
     Event operator()(const effect::SaveTable&) const { return no_work(); }
+    Event operator()(const effect::SavePlan&) const { return no_work(); }
     Event operator()(const effect::Halt&) const { return no_work(); }
     static Event no_work() { return event::WorkFailed{"the worker was given no work of its own"}; }
 };
@@ -85,8 +86,7 @@ Event CellEffects::open_link() {
 }
 
 CellReport CellEffects::checked(const ProcedureState& state,
-                                const std::optional<AxisEstimate>& axis,
-                                const Progress& progress) {
+                                const std::optional<AxisEstimate>& axis, const Progress& progress) {
     std::vector<WarmUpView> views;
     for (const RecordedCapture& shot : warm_up_) {
         const PreparedView* view = workspace_.view(shot.index);
@@ -153,15 +153,22 @@ Status CellEffects::prepare(const std::vector<RecordedCapture>& captures,
     }
     std::vector<Result<PreparedCapture>> made;
     for (std::size_t i = 0; i < missing.size(); ++i) made.emplace_back(cancelled_error());
+    std::atomic<std::size_t> ready = 0;
     for_each_(missing.size(), [&](std::size_t i) {
         made[i] = workspace_.prepare(*missing[i], progress, for_each_);
+        progress.tell("stereo", ++ready, missing.size());
     });
     for (std::size_t i = 0; i < missing.size(); ++i) {
         if (!made[i]) return forward_error(made[i].error());
+        if (prepared_) prepared_(*missing[i], *made[i]);
         (void)workspace_.insert(std::move(*made[i]));
         prepared_attempts_[missing[i]->index] = missing[i]->attempts;
     }
     return {};
+}
+
+Status CellEffects::load(const TurnData& data, const Progress& progress) {
+    return prepare(store_.recorded(data.captures), progress);
 }
 
 Event CellEffects::judge(const effect::Judge& pair, const ProcedureState& state,
@@ -173,6 +180,7 @@ Event CellEffects::judge(const effect::Judge& pair, const ProcedureState& state,
     if (Status ready = prepare(so_far, progress); !ready) {
         return event::WorkFailed{ready.error().message};
     }
+    workspace_.set_plan(state.plan.limits, state.plan.step_rad);
     workspace_.set_known_axis(state.warm_up ? state.warm_up->axis : std::nullopt);
     auto result = workspace_.last_step(so_far, progress, for_each_);
     if (!result) return event::WorkFailed{result.error().message};
@@ -195,6 +203,7 @@ Event CellEffects::solve(const ProcedureState& state, const Progress& progress) 
     }
     // A replay knows nothing of the warm-up, and must find the same.
     workspace_.set_known_axis(std::nullopt);
+    workspace_.set_plan(state.plan.limits, state.plan.step_rad);
     auto computed = workspace_.solve(captures, progress, for_each_);
     if (!computed) return event::WorkFailed{computed.error().message};
     if (Status kept = results_.keep(*computed); !kept) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -44,6 +45,15 @@ class CellEffects : public EffectRunner {
     /// Told of long work; called from worker threads.
     void on_progress(decltype(Progress::report) report) { report_ = std::move(report); }
 
+    /// Shown every capture that was made ready, before it is taken into the turn; called from
+    /// worker threads, one capture at a time.
+    using Prepared =
+        std::function<void(const RecordedCapture& capture, const PreparedCapture& prepared)>;
+    void on_prepared(Prepared viewer) { prepared_ = std::move(viewer); }
+
+    /// Makes the used captures of a resumed turn ready, so that nothing has to wait for it later.
+    [[nodiscard]] Status load(const TurnData& data, const Progress& progress);
+
     [[nodiscard]] Event run(const Effect& effect, const ProcedureState& state,
                             std::stop_token stop) override;
     void halt() override;
@@ -70,6 +80,7 @@ class CellEffects : public EffectRunner {
     ResultKeeper& results_;
     ForEach for_each_;
     decltype(Progress::report) report_;
+    Prepared prepared_;
     std::map<int, int> prepared_attempts_;  ///< by index: which attempt the workspace holds
     std::vector<RecordedCapture> warm_up_;
 };

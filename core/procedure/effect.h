@@ -1,5 +1,5 @@
 // What the procedure wants done: by the link, the camera, the disk or the computation. Each but
-// SaveTable and Halt ends in exactly one event.
+// SaveTable, SavePlan and Halt ends in exactly one event.
 #pragma once
 
 #include <variant>
@@ -29,11 +29,13 @@ struct Judge {
 struct EstimateAxis {};
 struct Solve {};
 struct SaveTable {};  ///< the captures as they are now
+struct SavePlan {};   ///< the plan as it is now
 struct Halt {};       ///< stop the arm, give up the work that is going on
 }  // namespace effect
 
 using Effect = std::variant<effect::OpenLink, effect::MeasureCell, effect::Turn, effect::LogTurn,
                             effect::Expose, effect::Judge, effect::EstimateAxis, effect::Solve,
-                            effect::SaveTable, effect::Halt>;
+                            effect::SaveTable, effect::SavePlan,
+                            effect::Halt>;
 
 }  // namespace gripscan

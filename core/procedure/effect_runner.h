@@ -12,7 +12,8 @@ class EffectRunner {
   public:
     virtual ~EffectRunner() = default;
     /// Does it, on the engine's worker thread, one at a time, and says how it ended. `state` is the
-    /// procedure's as it was when the effect was asked for. Never SaveTable or Halt.
+    /// procedure's as it was when the effect was asked for. Never SaveTable,
+    /// SavePlan or Halt.
     [[nodiscard]] virtual Event run(const Effect& effect, const ProcedureState& state,
                                     std::stop_token stop) = 0;
     /// Stops the arm. Called from another thread while run() is going on, whose stop token is then

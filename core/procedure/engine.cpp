@@ -37,11 +37,19 @@ Result<bool> Engine::pump(std::chrono::milliseconds wait) {
 }
 
 void Engine::tell(Event event) {
+    std::function<void()> wake;
     {
         const std::lock_guard lock(mutex_);
         inbox_.push_back(std::move(event));
+        wake = wake_;
     }
     arrived_.notify_all();
+    if (wake) wake();
+}
+
+void Engine::on_event(std::function<void()> wake) {
+    const std::lock_guard lock(mutex_);
+    wake_ = std::move(wake);
 }
 
 std::deque<Event> Engine::received(std::chrono::milliseconds wait) {
@@ -79,6 +87,7 @@ Status Engine::carry_out(const Effect& effect) {
     if (std::holds_alternative<effect::SaveTable>(effect)) {
         return store_.save_table(state_.data.captures);
     }
+    if (std::holds_alternative<effect::SavePlan>(effect)) return store_.save_plan(state_.plan);
     if (std::holds_alternative<effect::Halt>(effect)) {
         {
             const std::lock_guard lock(mutex_);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -39,6 +40,8 @@ class Engine {
     [[nodiscard]] Result<bool> pump(std::chrono::milliseconds wait);
     /// An event from outside, such as a lost link.
     void tell(Event event);
+    /// Called, from any thread, whenever an event has come and pump() has something to do.
+    void on_event(std::function<void()> wake);
 
   private:
     struct Work {
@@ -62,6 +65,7 @@ class Engine {
     std::optional<Work> next_;
     std::stop_source current_;  ///< of the effect that is running
     std::deque<Event> inbox_;
+    std::function<void()> wake_;
     std::jthread worker_;  // last: it uses all of the above
 };
 

@@ -7,6 +7,28 @@ namespace {
 
 using Why = std::optional<std::string>;
 
+/// As on the command line.
+constexpr double kLargestStep_rad = 120.0 * kRadPerDeg;
+
+/// What makes a plan none that `now` could be replaced by.
+Why problem_of(const TurnPlan& now, const TurnPlan& plan) {
+    if (plan.mode != now.mode) return "whether the arm may move is chosen when the cell is opened";
+    const bool step = plan.step_rad >= plan.least_step_rad && plan.step_rad <= kLargestStep_rad;
+    if (!step) {
+        return fmt::format("a step of {:.2f} deg is not within {:.2f} to {:.0f} deg",
+                           deg_from_rad(plan.step_rad), deg_from_rad(plan.least_step_rad),
+                           deg_from_rad(kLargestStep_rad));
+    }
+    if (!(plan.speed_percent > 0.0 && plan.speed_percent <= 100.0)) {
+        return fmt::format("a speed of {} % is not within 0 to 100 %", plan.speed_percent);
+    }
+    const TurnLimits& l = plan.limits;
+    const bool limits = l.angle_rad > 0.0 && l.sigmas > 0.0 && l.overlap > 0.0 &&
+                        l.overlap <= 1.0 && l.slip_m > 0.0 && l.tilt_rad > 0.0;
+    if (!limits) return "every limit is larger than zero, and the overlap at most 1";
+    return std::nullopt;
+}
+
 struct Guard {
     const ProcedureState& s;
 
@@ -78,7 +100,8 @@ struct Guard {
     Why operator()(const command::Capture&) const {
         if (waiting_for_operator()) return std::nullopt;
         if (auto why = first_of({dry(), not_at_rest(false), blocked_by_check()})) return why;
-        if (s.data.last_used() != nullptr) return "there is a view at this angle: retry it, or step";
+        if (s.data.last_used() != nullptr)
+            return "there is a view at this angle: retry it, or step";
         return std::nullopt;
     }
     Why operator()(const command::Step&) const {
@@ -172,6 +195,16 @@ struct Guard {
     }
     Why operator()(const command::Finish&) const {
         return first_of({dry(), not_at_rest(true), no_pair()});
+    }
+    Why operator()(const command::SetPlan& c) const {
+        if (in<phase::Connecting>()) return "connecting";
+        if (in<phase::Busy>() || in<phase::Halting>()) {
+            return "something is going on: stop it or wait";
+        }
+        if (!s.data.captures.empty()) {
+            return "the turn has begun: its views are judged by the limits it began with";
+        }
+        return problem_of(s.plan, c.plan);
     }
 };
 

@@ -10,6 +10,7 @@
 #include "core/procedure/capture_record.h"
 #include "core/procedure/cell_report.h"
 #include "core/procedure/judged_step.h"
+#include "core/procedure/turn_plan.h"
 #include "core/robot/robot_link.h"
 
 namespace gripscan {
@@ -43,6 +44,9 @@ struct Pause {};  ///< after what is going on
 struct Stop {};   ///< at once; the arm too
 struct Resume {};  ///< what was interrupted
 struct Finish {};  ///< solve for what there is
+struct SetPlan {   ///< before the first view: step, speed, limits
+    TurnPlan plan;
+};
 }  // namespace command
 
 using Command = std::variant<command::Connect, command::CheckCell, command::WarmUp,
@@ -50,7 +54,7 @@ using Command = std::variant<command::Connect, command::CheckCell, command::Warm
                              command::LockAxis, command::Accept, command::Back, command::Undo,
                              command::Redo, command::Exclude, command::Retake, command::TellAngle,
                              command::Run, command::Pause, command::Stop, command::Resume,
-                             command::Finish>;
+                             command::Finish, command::SetPlan>;
 
 namespace event {
 struct LinkUp {

@@ -31,6 +31,11 @@ void fields(auto& io, Is<command::TellAngle> auto& told) {
     io("joint6_rad", joint6_rad);
 }
 
+void fields(auto& io, Is<command::SetPlan> auto& set) {
+    auto& [plan] = set;
+    io("plan", plan);
+}
+
 void fields(auto& io, Is<event::LinkUp> auto& up) {
     auto& [identity, controller, reading] = up;
     io("identity", identity);

@@ -7,7 +7,8 @@ namespace {
 constexpr WordsOf<Command> kCommands = std::to_array<std::string_view>(
     {"connect",    "check_cell", "warm_up", "capture", "step",   "retry",   "halve",
      "lock_axis",  "accept",     "back",    "undo",    "redo",   "exclude", "retake",
-     "tell_angle", "run",        "pause",   "stop",    "resume", "finish"});
+     "tell_angle", "run",        "pause",   "stop",    "resume", "finish",
+     "set_plan"});
 
 constexpr WordsOf<Event> kEvents = std::to_array<std::string_view>(
     {"link_up", "link_down", "cell_checked", "arrived", "turn_failed", "turn_logged", "exposed",

@@ -184,6 +184,17 @@ struct TakeCommand {
         draft.begin_again(activity);
     }
 
+    void operator()(const command::SetPlan& c) const {
+        s.plan = c.plan;
+        s.data.step_rad = c.plan.step_rad;
+        // Range and duration were measured for the plan before.
+        s.cell.reset();
+        s.cell_note.clear();
+        s.undo.clear();
+        s.redo.clear();
+        draft.effects.emplace_back(effect::SavePlan{});
+    }
+
     void operator()(const command::Finish&) const { draft.begin(activity::Solving{}); }
 };
 

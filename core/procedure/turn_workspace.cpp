@@ -133,6 +133,11 @@ void TurnWorkspace::set_known_axis(const std::optional<AxisEstimate>& axis) {
     settings_.turn.known_axis = axis;
 }
 
+void TurnWorkspace::set_plan(const TurnLimits& limits, double step_rad) {
+    settings_.turn.limits = limits;
+    settings_.turn.step_rad = step_rad;
+}
+
 const PreparedView* TurnWorkspace::view(int index) const {
     const auto found = captures_.find(index);
     return found == captures_.end() ? nullptr : &found->second->view;

@@ -65,6 +65,9 @@ class TurnWorkspace {
     /// are locked to it.
     void set_known_axis(const std::optional<AxisEstimate>& axis);
 
+    /// By what steps are judged from here on; the settings' own before.
+    void set_plan(const TurnLimits& limits, double step_rad);
+
     /// The step between the last two used captures of `so_far`, all of which must have been added.
     /// Errors: fewer than two, one that was not added, cancelled.
     [[nodiscard]] Result<StepResult> last_step(std::span<const RecordedCapture> so_far,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/atomic_file.h"
+#include "core/base/units.h"
 #include "core/camera/image_file.h"
 #include "core/stereo/rig_file.h"
 
@@ -139,6 +140,18 @@ Status SessionStore::store_images(int index, int attempt, const StereoFrame& fra
     const CaptureRow row = row_of(capture);
     if (Status status = save_png(folder_ / row.left, frame.left); !status) return status;
     return save_png(folder_ / row.right, frame.right);
+}
+
+Status SessionStore::save_plan(const TurnPlan& plan) {
+    auto spec = read_session_spec(folder_ / "session.yaml");
+    if (!spec) return forward_error(spec.error());
+    spec->step_deg = deg_from_rad(plan.step_rad);
+    spec->limits = {.angle_deg = deg_from_rad(plan.limits.angle_rad),
+                    .sigmas = plan.limits.sigmas,
+                    .overlap = plan.limits.overlap,
+                    .slip_mm = plan.limits.slip_m * kMmPerM,
+                    .tilt_deg = deg_from_rad(plan.limits.tilt_rad)};
+    return write_file_atomically(folder_ / "session.yaml", session_spec_text(*spec));
 }
 
 Status SessionStore::save_table(std::span<const CaptureRecord> captures) {

@@ -30,6 +30,8 @@ class SessionStore : public CaptureStore {
 
     [[nodiscard]] Journal& journal() { return journal_; }
     [[nodiscard]] Status store_images(int index, int attempt, const StereoFrame& frame) override;
+    /// In session.yaml; the rest of it stays.
+    [[nodiscard]] Status save_plan(const TurnPlan& plan) override;
     /// Columns that gripscan does not know are kept, with their cells.
     [[nodiscard]] Status save_table(std::span<const CaptureRecord> captures) override;
     [[nodiscard]] std::vector<RecordedCapture> recorded(

@@ -148,9 +148,14 @@ class MemoryStore : public CaptureStore {
         table.assign(captures.begin(), captures.end());
         return {};
     }
+    Status save_plan(const TurnPlan& saved) override {
+        plan = saved;
+        return {};
+    }
     std::vector<RecordedCapture> recorded(std::span<const CaptureRecord>) const override {
         return {};
     }
+    std::optional<TurnPlan> plan;
     std::vector<CaptureRecord> table;
 };
 

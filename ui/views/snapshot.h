@@ -136,6 +136,7 @@ struct Snapshot {
     std::shared_ptr<const ComputedTurn> solved;  ///< poses, template, axis, closure
     CellFrame cell;
     LiveStereo live;
+    std::optional<RobotReading> reading;  ///< the latest sign of life, while moving too
     std::optional<ShownJob> job;
     std::optional<double> seconds_left;  ///< of the turn, from real step times
     std::size_t selected_row = 0;        ///< of Table 1

@@ -7,13 +7,13 @@
 namespace gripscan {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 using test::accepted_row;
 using test::FakeCell;
 using test::FakeWork;
 using test::rejected_row;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
 
 double deg(double angle) {
     return angle * kRadPerDeg;
@@ -113,7 +113,8 @@ TEST(Step, EveryViewIsApproachedUpwards) {
         if (std::abs(std::remainder(angle * kDegPerRad, 1.0)) < 1e-9) arrivals.push_back(angle);
         before = angle;
     }
-    EXPECT_GT(bench.cell.motions_rad.back(), bench.cell.motions_rad[bench.cell.motions_rad.size() - 2])
+    EXPECT_GT(bench.cell.motions_rad.back(),
+              bench.cell.motions_rad[bench.cell.motions_rad.size() - 2])
         << "back by more than the step, then up";
     EXPECT_NEAR(bench.cell.joint6_rad, deg(-160.0), 1e-12);
     EXPECT_THAT(bench.used_deg(), ElementsAre(0, 10, 20));
@@ -449,24 +450,53 @@ std::vector<std::pair<std::string, ProcedureState>> every_phase() {
 }
 
 std::vector<Command> every_command() {
-    return {command::Connect{},   command::CheckCell{}, command::WarmUp{},
-            command::Capture{},   command::Step{},      command::Retry{},
-            command::Halve{},     command::LockAxis{},  command::Accept{"seen"},
-            command::Back{},      command::Undo{},      command::Redo{},
-            command::Exclude{1},  command::Retake{1},   command::TellAngle{0.1},
-            command::Run{},       command::Pause{},     command::Stop{},
-            command::Resume{},    command::Finish{}};
+    return {command::Connect{},  command::CheckCell{}, command::WarmUp{},
+            command::Capture{},  command::Step{},      command::Retry{},
+            command::Halve{},    command::LockAxis{},  command::Accept{"seen"},
+            command::Back{},     command::Undo{},      command::Redo{},
+            command::Exclude{1}, command::Retake{1},   command::TellAngle{0.1},
+            command::Run{},      command::Pause{},     command::Stop{},
+            command::Resume{},   command::Finish{},    command::SetPlan{}};
+}
+
+/// What was measured for the plan before does not hold for the new one; the recording is judged by
+/// the new one, and mad ones are refused by name.
+TEST(Step, ThePlanChangesBeforeTheFirstViewAndThenNoMore) {
+    Bench bench;
+    bench.command(command::Connect{});
+    bench.command(command::CheckCell{});
+    TurnPlan plan = bench.state.plan;
+    plan.step_rad = deg(20.0);
+    plan.limits.angle_rad = deg(0.25);
+    const Transition changed = step(bench.state, Command(command::SetPlan{plan}));
+    ASSERT_FALSE(changed.refused) << *changed.refused;
+    EXPECT_DOUBLE_EQ(changed.state.data.step_rad, deg(20.0));
+    EXPECT_FALSE(changed.state.cell);
+    ASSERT_EQ(changed.effects.size(), 1U);
+    EXPECT_TRUE(std::holds_alternative<effect::SavePlan>(changed.effects[0]));
+
+    std::vector<TurnPlan> mad(5, plan);
+    mad[0].step_rad = deg(0.1);
+    mad[1].step_rad = std::nan("");
+    mad[2].speed_percent = 0.0;
+    mad[3].limits.overlap = 1.5;
+    mad[4].mode = MotionMode::kLive;
+    for (const TurnPlan& wrong : mad) {
+        EXPECT_TRUE(refusal(bench.state, command::SetPlan{wrong}));
+    }
+    bench.first_steps(1);
+    EXPECT_TRUE(refusal(bench.state, command::SetPlan{plan}));
 }
 
 /// Which commands are taken in which phase; everything else is refused with a reason.
 TEST(Step, TableOfCommandsAndPhases) {
     const std::map<std::string, std::vector<std::string>> taken{
-        {"offline", {"connect"}},
+        {"offline", {"connect", "set_plan"}},
         {"connecting", {}},
-        {"idle, unchecked", {"check_cell", "lock_axis", "run"}},
+        {"idle, unchecked", {"check_cell", "lock_axis", "run", "set_plan"}},
         {"checking", {"run", "stop"}},
         {"warming up", {"run", "stop"}},
-        {"idle, warm", {"check_cell", "warm_up", "capture", "lock_axis", "run"}},
+        {"idle, warm", {"check_cell", "warm_up", "capture", "lock_axis", "run", "set_plan"}},
         {"idle, one view", {"step", "retry", "lock_axis", "undo", "run"}},
         {"moving", {"run", "stop"}},
         {"exposing", {"run", "stop"}},
@@ -502,10 +532,10 @@ TEST(Step, TableOfCommandsAndPhases) {
 }
 
 std::vector<Event> every_event() {
-    return {event::LinkUp{},     event::LinkDown{"gone"}, event::CellChecked{},
-            event::Arrived{},    event::TurnFailed{},     event::TurnLogged{},
-            event::Exposed{},    event::ExposureFailed{}, event::Judged{},
-            event::AxisFound{},  event::Solved{},         event::WorkFailed{"failed"},
+    return {event::LinkUp{},      event::LinkDown{"gone"}, event::CellChecked{},
+            event::Arrived{},     event::TurnFailed{},     event::TurnLogged{},
+            event::Exposed{},     event::ExposureFailed{}, event::Judged{},
+            event::AxisFound{},   event::Solved{},         event::WorkFailed{"failed"},
             event::ProgramEnded{}};
 }
 

@@ -35,13 +35,13 @@ TEST(Words, BelongToTheirCommands) {
     for (const Command& c : std::initializer_list<Command>{
              Connect{},   CheckCell{},    WarmUp{}, Capture{}, Step{},   Retry{},   Halve{},
              LockAxis{},  Accept{},       Back{},   Undo{},    Redo{},   Exclude{}, Retake{},
-             TellAngle{}, command::Run{}, Pause{},  Stop{},    Resume{}, Finish{}}) {
+             TellAngle{}, command::Run{}, Pause{},  Stop{},    Resume{}, Finish{}, SetPlan{}}) {
         words.push_back(word(c));
     }
     EXPECT_THAT(words,
                 ElementsAre("connect", "check_cell", "warm_up", "capture", "step", "retry", "halve",
                             "lock_axis", "accept", "back", "undo", "redo", "exclude", "retake",
-                            "tell_angle", "run", "pause", "stop", "resume", "finish"));
+                            "tell_angle", "run", "pause", "stop", "resume", "finish", "set_plan"));
 }
 
 TEST(Words, BelongToTheirEvents) {

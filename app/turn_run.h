@@ -1,0 +1,73 @@
+// A run of the procedure with everything it needs: cell, session, computation, engine. The command
+// `run` and the window both hold one.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "app/run_results.h"
+#include "app/turn_session.h"
+#include "core/camera/shared_source.h"
+#include "core/concurrency/worker_pool.h"
+#include "core/procedure/cell_effects.h"
+#include "core/procedure/engine.h"
+
+namespace gripscan::app {
+
+struct TurnRunOptions {
+    CellOptions cell;
+    std::filesystem::path out;  ///< the session folder
+    bool resume = false;
+    TurnOptions turn;
+    unsigned threads = 1;
+};
+
+/// What a run shows while it goes on; every function may be empty and is called from the run's own
+/// threads.
+struct TurnRunViewers {
+    /// The cell is open, its link not yet connected.
+    std::function<Status(const Cell&)> opened;
+    SharedSource::Viewer frame;
+    CellEffects::Prepared prepared;
+    decltype(Progress::report) progress;
+    std::function<void(const ComputedTurn&)> solved;
+};
+
+class TurnRun {
+  public:
+    /// Opens cell and session and loads what was recorded. A resumed run that has not begun yet
+    /// begins anew. Errors: the cell cannot be opened, the session is in use or damaged, cancelled.
+    [[nodiscard]] static Result<std::unique_ptr<TurnRun>> open(const TurnRunOptions& options,
+                                                               TurnRunViewers viewers,
+                                                               const std::stop_token& stop);
+    ~TurnRun();
+    TurnRun(const TurnRun&) = delete;
+    TurnRun& operator=(const TurnRun&) = delete;
+
+    /// Belongs to the thread that calls it.
+    [[nodiscard]] Engine& engine();
+    [[nodiscard]] const Cell& cell() const { return cell_; }
+    [[nodiscard]] SharedSource& camera() { return *camera_; }
+    [[nodiscard]] const RunResults& results() const;
+    [[nodiscard]] const CellOptions& cell_options() const { return options_; }
+    [[nodiscard]] const SessionStore& store() const { return session_.store; }
+    [[nodiscard]] bool resumed() const { return resumed_; }
+
+  private:
+    class Keeper;
+    TurnRun(Cell cell, TurnSession session, CellOptions options, bool resumed);
+    Status start(const TurnRunOptions& options, TurnRunViewers viewers,
+                 const std::stop_token& stop);
+
+    Cell cell_;
+    TurnSession session_;
+    CellOptions options_;
+    bool resumed_ = false;
+    std::unique_ptr<SharedSource> camera_;
+    std::unique_ptr<WorkerPool> pool_;
+    std::unique_ptr<Keeper> keeper_;
+    std::unique_ptr<CellEffects> effects_;
+    std::unique_ptr<Engine> engine_;  // last: its worker uses all of the above
+};
+
+}  // namespace gripscan::app
