@@ -6,12 +6,18 @@
 #include "app/console.h"
 #include "app/help_formatter.h"
 #include "app/interrupt.h"
+#ifdef GRIPSCAN_GUI
+#include "app/workstation/run_window.h"
+#endif
 
 namespace gripscan::app {
 namespace {
 
 constexpr const char* kFooter =
+    "Without a command: the workstation's window, on the simulated cell or the one of --cell.\n"
+    "\n"
     "Examples:\n"
+    "  gripscan                                         the window\n"
     "  gripscan run gripper --cell sim --out monday     a whole turn in the simulated cell\n"
     "  gripscan replay monday --out /tmp/again --json   the same recording computed again\n"
     "  gripscan report monday                           Table 1 as CSV and as a page\n"
@@ -20,12 +26,22 @@ constexpr const char* kFooter =
     "Exit status: 0 every step accepted, 1 done but not to be trusted, 2 wrong usage or input,\n"
     "3 device or link, 4 cancelled.";
 
-int run(const CLI::App& app, const Action& action, const CommonOptions& common) {
-    if (!action) {
-        return report_error(
-            input_error("the window is not part of this version; see `{} --help`", app.get_name())
-                .value());
-    }
+#ifdef GRIPSCAN_GUI
+/// Without a subcommand: the window.
+Action window_action(CLI::App& app) {
+    auto options = std::make_shared<WindowOptions>();
+    add_window_options(app, *options);
+    return [options](const Context& context) { return run_window(*options, context); };
+}
+#else
+Action window_action(CLI::App& app) {
+    return [name = app.get_name()](const Context&) -> Result<ExitStatus> {
+        return input_error("this build has no window; see `{} --help`", name);
+    };
+}
+#endif
+
+int run(const Action& action, const CommonOptions& common) {
     const Interrupt interrupt;
     // Captures run side by side on our own threads; OpenCV adds none of its own.
     cv::setNumThreads(1);
@@ -52,7 +68,7 @@ int parse_and_run(int argc, char** argv) {
     app.formatter(std::make_shared<HelpFormatter>());
     app.footer(kFooter);
     CommonOptions common;
-    Action action;
+    Action action = window_action(app);
     const CommandLine line{app, common, action};
     add_run(line);
     add_replay(line);
@@ -68,7 +84,7 @@ int parse_and_run(int argc, char** argv) {
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? kDone : kWrongInput;
     }
-    return run(app, action, common);
+    return run(action, common);
 }
 
 }  // namespace

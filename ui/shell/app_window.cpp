@@ -43,6 +43,8 @@ struct AppWindow::Parts {
     FrameTimes last;
     std::size_t frames = 0;
     Capture capture;
+    bool large_buttons = false;
+    std::function<void(const WidgetLog&, double)> set_input;
 
     ~Parts() {
         painter.reset();
@@ -63,8 +65,10 @@ struct AppWindow::Parts {
         const auto size = window->framebuffer();
         painter->begin_frame(session->fonts_changed());
         ImGui_ImplGlfw_NewFrame();
+        if (set_input) set_input(log, seconds_since(opened));
         ImGui::NewFrame();
-        const Ui ui = session->frame_ui(log, seconds_since(opened));
+        Ui ui = session->frame_ui(log, seconds_since(opened));
+        ui.large_buttons = large_buttons;
         begin_screen(ui, ui.theme.bg0);
         FrameWish wish = frame({ui, size.width_px, size.height_px, last, std::move(dropped)});
         end_screen();
@@ -152,6 +156,18 @@ void AppWindow::set_user_scale(float factor) {
 void AppWindow::set_theme(ThemeChoice theme) {
     parts_->theme_changed = parts_->theme_changed || theme != parts_->theme;
     parts_->theme = theme;
+}
+
+void AppWindow::set_large_buttons(bool on) {
+    parts_->large_buttons = on;
+}
+
+void AppWindow::copy_to_clipboard(const std::string& text) {
+    ImGui::SetClipboardText(text.c_str());
+}
+
+void AppWindow::before_frames(std::function<void(const WidgetLog&, double)> set_input) {
+    parts_->set_input = std::move(set_input);
 }
 
 std::size_t AppWindow::frames_drawn() const {

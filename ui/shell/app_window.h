@@ -65,9 +65,13 @@ class AppWindow {
     static void request_redraw();
     /// The next frame's picture, RGBA rows from top to bottom.
     void capture_next(Capture capture);
+    /// Called before every frame with the controls of the one before; may set Dear ImGui's input.
+    void before_frames(std::function<void(const WidgetLog& shown, double now_s)> set_input);
     /// Take effect before the next frame. The factor is kept in [0.5, 4] with the monitor's.
     void set_user_scale(float factor);
     void set_theme(ThemeChoice theme);
+    void set_large_buttons(bool on);
+    void copy_to_clipboard(const std::string& text);
 
     [[nodiscard]] std::size_t frames_drawn() const;
     /// The controls of the last frame, by name.

@@ -1,0 +1,116 @@
+#include "app/workstation/frame_loop.h"
+
+#include <algorithm>
+
+#include "app/workstation/picture_file.h"
+#include "ui/resources/resource_file.h"
+
+namespace gripscan::app {
+
+FrameLoop::FrameLoop(ui::AppWindow& window, Workstation& station, const WindowOptions& options,
+                     std::optional<ui::ScriptPlayer> player)
+    : window_(window), station_(station), options_(options), player_(std::move(player)) {
+    if (!options.widgets.empty()) widgets_.emplace(options.widgets);
+    screen_.splits = station.preferences().splits;
+    applied_ = station.preferences().preferences;
+    window.set_large_buttons(applied_.large_buttons);
+    window.before_frames([this](const ui::WidgetLog& shown, double now_s) {
+        if (widgets_) widgets_->tell(shown);
+        if (player_) player_->before_frame(shown, now_s);
+    });
+}
+
+Status FrameLoop::make_views() {
+    auto parts = ui::make_screen_parts();
+    if (!parts) return forward_error(parts.error());
+    parts_ = std::move(*parts);
+    return {};
+}
+
+ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
+    ++frames_;
+    station_.pump(input.ui.time_s);
+    for (const auto& path : input.dropped) station_.take(ui::request::Open{path});
+    const ui::Snapshot snapshot = station_.snapshot();
+    ui::Requests requests;
+    const std::string caption = player_ ? player_->caption() : "";
+    ui::draw_screen(input.ui, input.width_px, input.height_px, snapshot, caption,
+                    input.last.total_ms(), screen_, parts_, requests);
+    for (const ui::Request& request : requests) station_.take(request);
+    station_.set_splits(screen_.splits);
+    take_window_wish(station_.window_wish());
+    apply_preferences();
+
+    ui::FrameWish wish;
+    wish.redraw_after_s = requests.empty() ? station_.next_change_s(input.ui.time_s) : 0.0;
+    if (parts_.wants_another_frame()) wish.redraw_after_s = 0.0;
+    if (player_) {
+        if (const auto file = player_->picture_wanted()) take_picture(*file);
+        wish.redraw_after_s = std::min(wish.redraw_after_s, 0.02);
+        const bool over = player_->ended() || player_->trouble();
+        wish.close = over && (!options_.script.empty() || player_->trouble());
+    }
+    if (!options_.screenshot.empty() && options_.frames > 0 && frames_ == options_.frames) {
+        take_picture(options_.screenshot);
+    }
+    wish.close = wish.close || screen_.quit;
+    return wish;
+}
+
+void FrameLoop::take_window_wish(const WindowWish& wish) {
+    if (wish.clipboard) window_.copy_to_clipboard(*wish.clipboard);
+    if (wish.reset_layout) screen_.splits = {};
+    if (wish.quit) screen_.quit = true;
+    if (!wish.screenshot) return;
+    const auto shown = station_.snapshot();
+    const auto folder =
+        shown.session ? shown.session->folder.parent_path() : std::filesystem::current_path();
+    const std::string name = shown.session ? shown.session->name : "gripscan";
+    std::filesystem::path file = folder / (name + ".png");
+    std::error_code code;
+    for (int n = 2; std::filesystem::exists(file, code); ++n) {
+        file = folder / fmt::format("{}-{}.png", name, n);
+    }
+    take_picture(file);
+}
+
+void FrameLoop::apply_preferences() {
+    const ui::WindowPreferences& wanted = station_.preferences().preferences;
+    if (wanted.theme != applied_.theme) window_.set_theme(wanted.theme);
+    if (wanted.user_scale != applied_.user_scale) {
+        window_.set_user_scale(static_cast<float>(wanted.user_scale));
+    }
+    window_.set_large_buttons(wanted.large_buttons);
+    applied_ = wanted;
+}
+
+void FrameLoop::take_picture(const std::filesystem::path& file) {
+    // Taken in this frame, after it was drawn.
+    window_.capture_next([this, file](int width_px, int height_px, std::vector<std::uint8_t> rgba) {
+        if (Status s = save_png(file, width_px, height_px, rgba); !s) {
+            picture_trouble_ = s.error().message;
+            station_.toast(ui::LogLevel::kError, "toast.picture", "No picture", s.error().message);
+            return;
+        }
+        if (options_.script.empty()) {
+            station_.toast(ui::LogLevel::kInformation, "toast.picture", "Picture written",
+                           file.string());
+        }
+    });
+}
+
+std::optional<std::string> FrameLoop::trouble() const {
+    if (player_ && player_->trouble()) return player_->trouble();
+    return picture_trouble_;
+}
+
+Result<ui::ScriptPlayer> guided_tour() {
+    constexpr std::string_view kTour = "assets/tours/simulated-cell.txt";
+    const auto text = ui::read_resource(kTour);
+    if (!text) return forward_error(text.error());
+    auto steps = ui::parse_script(*text, std::string(kTour));
+    if (!steps) return forward_error(steps.error());
+    return ui::ScriptPlayer(std::move(*steps));
+}
+
+}  // namespace gripscan::app

@@ -1,0 +1,48 @@
+// One frame of the window: take in what came, show it, take what was asked for.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/workstation/widget_list.h"
+#include "app/workstation/window_options.h"
+#include "app/workstation/workstation.h"
+#include "ui/panels/screen.h"
+#include "ui/shell/app_window.h"
+#include "ui/shell/script_player.h"
+
+namespace gripscan::app {
+
+class FrameLoop {
+  public:
+    /// `window` and `station` outlive it.
+    FrameLoop(ui::AppWindow& window, Workstation& station, const WindowOptions& options,
+              std::optional<ui::ScriptPlayer> player);
+    /// What is drawn with OpenGL. Errors: the card cannot do it.
+    [[nodiscard]] Status make_views();
+
+    [[nodiscard]] ui::FrameWish frame(const ui::FrameInput& input);
+    /// Why the script or a picture failed.
+    [[nodiscard]] std::optional<std::string> trouble() const;
+
+  private:
+    void take_window_wish(const WindowWish& wish);
+    void apply_preferences();
+    void take_picture(const std::filesystem::path& file);
+
+    ui::AppWindow& window_;
+    Workstation& station_;
+    const WindowOptions& options_;
+    std::optional<ui::ScriptPlayer> player_;
+    std::optional<WidgetList> widgets_;
+    ui::ScreenState screen_;
+    ui::ScreenParts parts_;
+    ui::WindowPreferences applied_;
+    std::size_t frames_ = 0;
+    std::optional<std::string> picture_trouble_;
+};
+
+/// The guided demonstration: a script that comes with the program.
+[[nodiscard]] Result<ui::ScriptPlayer> guided_tour();
+
+}  // namespace gripscan::app

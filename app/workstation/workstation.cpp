@@ -1,0 +1,460 @@
+#include "app/workstation/workstation.h"
+
+#include <algorithm>
+
+#include "app/results_of.h"
+#include "app/workstation/export_template.h"
+#include "core/base/atomic_file.h"
+#include "core/report/results_folder.h"
+#include "core/report/table1.h"
+
+namespace gripscan::app {
+namespace {
+namespace fs = std::filesystem;
+using ui::LogLevel;
+
+constexpr std::size_t kMostLogLines = 5000;
+
+CellOptions cell_options_of(const ui::SessionWish& wish) {
+    CellOptions options;
+    options.cell = wish.cell;
+    options.live = wish.live;
+    options.manual = wish.manual;
+    options.step_deg = wish.step_deg;
+    options.speed_percent = wish.speed_percent;
+    options.seed = wish.seed;
+    options.faults = wish.faults;
+    return options;
+}
+
+/// A motion is going on, or will be sent once what goes on has ended.
+bool moving(const ProcedureState& state) {
+    const auto* busy = std::get_if<phase::Busy>(&state.phase);
+    return busy != nullptr && std::holds_alternative<activity::Moving>(busy->activity);
+}
+
+/// Commands after which the arm turns.
+bool moves(const Command& command) {
+    return std::holds_alternative<command::Step>(command) ||
+           std::holds_alternative<command::Halve>(command) ||
+           std::holds_alternative<command::Back>(command) ||
+           std::holds_alternative<command::WarmUp>(command) ||
+           std::holds_alternative<command::Retake>(command);
+}
+
+}  // namespace
+
+Workstation::Workstation(WorkstationSettings settings)
+    : settings_(std::move(settings)), recent_(settings_.files.state), jobs_(settings_.wake) {
+    auto loaded = ui::load_preferences(settings_.files.preferences);
+    preferences_ = std::move(loaded.stored);
+    for (const std::string& sentence : loaded.refused) {
+        log(LogLevel::kWarning, "SET-010", sentence);
+    }
+    refresh_recent();
+}
+
+Workstation::~Workstation() {
+    jobs_.cancel_all();
+}
+
+LiveTurn* Workstation::live() {
+    auto* live = std::get_if<std::unique_ptr<LiveTurn>>(&turn_);
+    return live == nullptr ? nullptr : live->get();
+}
+
+const LiveTurn* Workstation::live() const {
+    return const_cast<Workstation*>(this)->live();
+}
+
+std::shared_ptr<const ComputedTurn> Workstation::solved() const {
+    return snapshot().solved;
+}
+
+void Workstation::log(LogLevel level, std::string code, std::string text) {
+    if (log_.size() >= kMostLogLines) log_.erase(log_.begin(), log_.begin() + kMostLogLines / 10);
+    log_.push_back({std::chrono::system_clock::now(), level, std::move(code), std::move(text)});
+}
+
+void Workstation::toast(LogLevel level, std::string id, std::string title, std::string text) {
+    const ui::State state = level == LogLevel::kInformation ? ui::State::kAccept
+                            : level == LogLevel::kWarning   ? ui::State::kCheck
+                                                            : ui::State::kReject;
+    toasts_.add({std::move(id), state, std::move(title), std::move(text), ""}, now_s_);
+}
+
+void Workstation::fail(std::string title, const Error& error, std::string advice) {
+    if (error.kind == ErrorKind::kCancelled) return;
+    log(LogLevel::kError, "WIN-010", fmt::format("{}: {}", title, error.message));
+    error_ = ui::ShownError{std::move(title), error.message, std::move(advice), "", {}};
+    dialog_ = ui::Dialog::kError;
+}
+
+void Workstation::pump(double now_s) {
+    now_s_ = now_s;
+    toasts_.forget_old(now_s);
+    jobs_.pump();
+    LiveTurn* turn = live();
+    if (turn == nullptr) return;
+    if (Status s = turn->pump(); !s) {
+        fail("The session cannot be written any more", s.error(),
+             "What was recorded is safe. Free the disk, then resume the session.");
+        close_turn();
+        return;
+    }
+    for (ui::LogLine& line : turn_log_.news(turn->state())) log_.push_back(std::move(line));
+    refresh_filter();
+}
+
+ui::Snapshot Workstation::snapshot() const {
+    ui::Snapshot shown;
+    shown.page = page_;
+    shown.dialog = dialog_;
+    shown.preferences = preferences_.preferences;
+    shown.recent = recent_shown_;
+    if (const LiveTurn* turn = live()) turn->show_in(shown);
+    if (const auto* recorded = std::get_if<std::unique_ptr<RecordedTurn>>(&turn_)) {
+        (*recorded)->show_in(shown);
+    }
+    if (const auto job = jobs_.shown()) {
+        shown.job = ui::ShownJob{job->name, job->part, job->elapsed_s, true};
+    }
+    const std::size_t rows = shown.procedure != nullptr ? table_of(*shown.procedure).size() : 0;
+    shown.follows_last = !selected_row_ || *selected_row_ >= rows;
+    shown.selected_row = shown.follows_last ? (rows > 0 ? rows - 1 : 0) : *selected_row_;
+    shown.log = log_;
+    for (const ui::Toast& toast : toasts_.shown()) {
+        const LogLevel level = toast.state == ui::State::kReject  ? LogLevel::kError
+                               : toast.state == ui::State::kCheck ? LogLevel::kWarning
+                                                                  : LogLevel::kInformation;
+        shown.toasts.push_back({toast.id, level, toast.title, toast.text});
+    }
+    shown.error = error_;
+    shown.filter = filter_;
+    if (shown.solved && shown_template_.whole) shown.shown_template = shown_template_;
+    shown.last_export = last_export_;
+    shown.version = GRIPSCAN_VERSION;
+    return shown;
+}
+
+bool Workstation::busy() const {
+    const LiveTurn* turn = live();
+    return turn != nullptr && turn->busy();
+}
+
+double Workstation::next_change_s(double now_s) const {
+    const double toast_s = toasts_.next_end_s() - now_s;
+    // Clocks and turning rings move while something goes on.
+    return busy() || jobs_.shown() ? std::min(toast_s, 0.1) : toast_s;
+}
+
+void Workstation::close_turn() {
+    const LiveTurn* turn = live();
+    const fs::path folder = turn != nullptr ? turn->folder() : fs::path();
+    turn_ = std::monostate{};
+    turn_log_ = {};
+    selected_row_.reset();
+    filter_ = {};
+    shown_template_ = {};
+    filtered_turn_.reset();
+    last_export_.clear();
+    page_ = ui::Page::kStart;
+    if (!folder.empty()) refresh_recent();
+}
+
+void Workstation::begin(const ui::SessionWish& wish) {
+    TurnRunOptions options;
+    options.cell = cell_options_of(wish);
+    options.out =
+        wish.folder.empty() ? new_session_folder(settings_.files.sessions, "gripper") : wish.folder;
+    open_live(std::move(options), "Opening the cell");
+}
+
+void Workstation::resume(const fs::path& folder) {
+    TurnRunOptions options;
+    options.out = folder;
+    options.resume = true;
+    open_live(std::move(options), "Resuming the session");
+}
+
+void Workstation::open_live(TurnRunOptions options, const std::string& job) {
+    close_turn();
+    options.threads = settings_.threads;
+    std::error_code code;
+    fs::create_directories(options.out.parent_path(), code);
+    dialog_ = ui::Dialog::kNone;
+    jobs_.start(job, [this, options, job](const Progress& progress) -> JobList::Outcome {
+        // A shared pointer, because an outcome can be copied.
+        auto turn = std::make_shared<Result<std::unique_ptr<LiveTurn>>>(
+            LiveTurn::open(options, settings_.wake, progress));
+        return [this, turn, options, job] {
+            if (!*turn) {
+                fail(job + " failed", turn->error(), "");
+                return;
+            }
+            turn_ = std::move(**turn);
+            page_ = ui::Page::kProcedure;
+            if (Status s = recent_.add(options.out, std::chrono::system_clock::now()); !s) {
+                log(LogLevel::kWarning, "SET-011", s.error().message);
+            }
+            log(LogLevel::kInformation, "RUN-001", "Session " + options.out.string());
+            give(command::Connect{});
+        };
+    });
+}
+
+void Workstation::open(const fs::path& path) {
+    close_turn();
+    dialog_ = ui::Dialog::kNone;
+    const unsigned threads = settings_.threads;
+    jobs_.start("Opening " + path.filename().string(),
+                [this, path, threads](const Progress& progress) -> JobList::Outcome {
+                    std::error_code code;
+                    WorkerPool pool(threads);
+                    auto turn = std::make_shared<Result<RecordedTurn>>(
+                        fs::is_directory(path, code)
+                            ? load_recorded_turn(path, progress, pool.for_each())
+                            : load_cloud_alone(path));
+                    return [this, path, turn] {
+                        if (!*turn) {
+                            fail("This could not be opened", turn->error(), "");
+                            return;
+                        }
+                        const bool cloud = !(*turn)->state;
+                        turn_ = std::make_unique<RecordedTurn>(std::move(**turn));
+                        page_ = cloud ? ui::Page::kTemplate : ui::Page::kProcedure;
+                        if (!cloud) {
+                            (void)recent_.add(path, std::chrono::system_clock::now());
+                            refresh_recent();
+                        }
+                        refresh_filter();
+                    };
+                });
+}
+
+void Workstation::give(const Command& command) {
+    LiveTurn* turn = live();
+    if (turn == nullptr) {
+        toast(LogLevel::kWarning, "toast.refused", "Nothing to command",
+              "A recording is only looked at. Open a cell to go on.");
+        return;
+    }
+    auto reply = turn->submit(command);
+    if (!reply) {
+        fail("The session cannot be written any more", reply.error(),
+             "What was recorded is safe. Free the disk, then resume the session.");
+        close_turn();
+        return;
+    }
+    if (*reply) {
+        toast(LogLevel::kWarning, "toast.refused", fmt::format("Not now: {}", word(command)),
+              **reply);
+        log(LogLevel::kWarning, "RUN-011", fmt::format("{}: {}", word(command), **reply));
+        return;
+    }
+    selected_row_.reset();
+    refresh_filter();
+}
+
+void Workstation::hold(bool held) {
+    LiveTurn* turn = live();
+    if (turn == nullptr || held || !moving(turn->state()) || turn->state().running) return;
+    give(command::Stop{});
+}
+
+void Workstation::refresh_recent() {
+    auto list = recent_.list();
+    if (!list) {
+        log(LogLevel::kWarning, "SET-012", list.error().message);
+        return;
+    }
+    recent_shown_ = std::move(*list);
+}
+
+void Workstation::set_preferences(const ui::WindowPreferences& changed) {
+    preferences_.preferences = changed;
+    if (Status s = ui::save_preferences(settings_.files.preferences, preferences_); !s) {
+        log(LogLevel::kWarning, "SET-013", s.error().message);
+    }
+}
+
+void Workstation::set_splits(const ui::Splits& splits) {
+    if (splits == preferences_.splits) return;
+    preferences_.splits = splits;
+    set_preferences(preferences_.preferences);
+}
+
+void Workstation::refresh_filter() {
+    const auto turn = solved();
+    const bool done = turn == filtered_turn_ && shown_template_.filter == filter_;
+    if (!turn || done || jobs_.running("Filtering the template")) return;
+    jobs_.start(
+        "Filtering the template",
+        [this, turn, filter = filter_](const Progress&) -> JobList::Outcome {
+            return [this, turn, filter,
+                    made = std::make_shared<ui::ShownTemplate>(ui::shown_template(turn, filter))] {
+                shown_template_ = *made;
+                filtered_turn_ = turn;
+                refresh_filter();
+            };
+        });
+}
+
+void Workstation::export_as(const ui::ExportWish& wish) {
+    const auto turn = solved();
+    if (!turn) return;
+    jobs_.start("Export", [this, turn, wish](const Progress&) -> JobList::Outcome {
+        return [this, exported =
+                          std::make_shared<Result<Exported>>(export_template(turn->report, wish))] {
+            if (!*exported) {
+                fail("The template was not exported", exported->error(), "");
+                return;
+            }
+            const Exported& file = **exported;
+            last_export_ =
+                fmt::format("{}: {} points, read back equal", file.file.string(), file.points);
+            log(LogLevel::kInformation, "EXP-001", last_export_);
+            toast(LogLevel::kInformation, "toast.exported",
+                  fmt::format("Exported {}", file.file.filename().string()),
+                  fmt::format("{} points, {:.1f} MB, read back equal", file.points,
+                              static_cast<double>(file.bytes) / 1e6));
+            dialog_ = ui::Dialog::kNone;
+        };
+    });
+}
+
+void Workstation::write_file(const std::string& name, const std::function<std::string()>& text) {
+    const auto shown = snapshot();
+    if (!shown.session || shown.session->recorded) {
+        toast(LogLevel::kWarning, "toast.file", "Nothing written",
+              "A recording is never changed; use `gripscan report` on it.");
+        return;
+    }
+    const fs::path file = shown.session->folder / name;
+    if (Status s = write_file_atomically(file, text()); !s) {
+        fail("The file was not written", s.error(), "");
+        return;
+    }
+    toast(LogLevel::kInformation, "toast.file", "Written", file.string());
+}
+
+/// One request, taken.
+struct Workstation::Taker {
+    Workstation& self;
+
+    void operator()(const ui::request::Give& r) const {
+        const LiveTurn* turn = self.live();
+        const bool real = turn != nullptr && turn->state().plan.mode == MotionMode::kLive;
+        if (real && moves(r.command)) self.selected_row_.reset();
+        self.give(r.command);
+        if (self.dialog_ == ui::Dialog::kNote) self.dialog_ = ui::Dialog::kNone;
+    }
+    void operator()(const ui::request::HoldToMove& r) const { self.hold(r.held); }
+    void operator()(const ui::request::GoTo& r) const { self.page_ = r.page; }
+    void operator()(const ui::request::Open& r) const { self.open(r.path); }
+    void operator()(const ui::request::Resume& r) const { self.resume(r.folder); }
+    void operator()(const ui::request::Begin& r) const { self.begin(r.wish); }
+    void operator()(const ui::request::Tour&) const { self.begin({}); }
+    void operator()(const ui::request::CloseSession& r) const {
+        if (self.busy() && !r.stop_first) {
+            self.dialog_ = ui::Dialog::kClose;
+            return;
+        }
+        self.dialog_ = ui::Dialog::kNone;
+        self.close_turn();
+    }
+    void operator()(const ui::request::Forget& r) const {
+        if (Status s = self.recent_.forget(r.folder); !s) {
+            self.log(LogLevel::kWarning, "SET-014", s.error().message);
+        }
+        self.refresh_recent();
+    }
+    void operator()(const ui::request::Show& r) const {
+        self.dialog_ = r.dialog;
+        if (r.dialog != ui::Dialog::kError) self.error_.reset();
+    }
+    void operator()(const ui::request::SelectStep& r) const { self.selected_row_ = r.row; }
+    void operator()(const ui::request::Export& r) const { self.export_as(r.wish); }
+    void operator()(const ui::request::SetPlan& r) const { self.give(command::SetPlan{r.plan}); }
+    void operator()(const ui::request::SetFilter& r) const {
+        self.filter_ = r.filter;
+        self.refresh_filter();
+    }
+    void operator()(const ui::request::CopyText& r) const {
+        self.wish_.clipboard = r.text;
+        self.toast(LogLevel::kInformation, "toast.copied", "Copied", r.what);
+    }
+    void operator()(const ui::request::SaveTable&) const { write_report(false); }
+    void operator()(const ui::request::SaveReport&) const { write_report(true); }
+    void operator()(const ui::request::Screenshot&) const { self.wish_.screenshot = true; }
+    void operator()(const ui::request::SetTheme& r) const {
+        change([&](auto& p) { p.theme = r.theme; });
+    }
+    void operator()(const ui::request::SetScale& r) const {
+        change([&](auto& p) { p.user_scale = std::clamp(r.factor, 0.5, 3.0); });
+    }
+    void operator()(const ui::request::SetLargeButtons& r) const {
+        change([&](auto& p) { p.large_buttons = r.on; });
+    }
+    void operator()(const ui::request::SetNavigation& r) const {
+        change([&](auto& p) { p.navigation = r.preset; });
+    }
+    void operator()(const ui::request::SetKey& r) const {
+        change([&](auto& p) {
+            std::erase_if(p.keys, [&](const auto& key) { return key.first == r.action; });
+            if (!r.key.empty()) p.keys.emplace_back(r.action, r.key);
+        });
+    }
+    void operator()(const ui::request::ResetLayout&) const { self.wish_.reset_layout = true; }
+    void operator()(const ui::request::LiveView& r) const {
+        if (LiveTurn* turn = self.live()) turn->set_live(r.on);
+    }
+    void operator()(const ui::request::CancelJob&) const {
+        if (self.jobs_.shown()) {
+            self.jobs_.cancel_all();
+        } else if (self.busy()) {
+            self.give(command::Stop{});
+        }
+    }
+    void operator()(const ui::request::CloseToast& r) const { self.toasts_.close(r.id); }
+    void operator()(const ui::request::Quit&) const {
+        if (self.busy() && self.dialog_ != ui::Dialog::kClose) {
+            self.dialog_ = ui::Dialog::kClose;
+        } else {
+            self.wish_.quit = true;
+        }
+    }
+
+  private:
+    template <typename Change>
+    void change(const Change& how) const {
+        ui::WindowPreferences changed = self.preferences_.preferences;
+        how(changed);
+        self.set_preferences(changed);
+    }
+    /// Table 1 of a turn that is not finished yet has no file so far; that of a finished one lies
+    /// in the results.
+    void write_report(bool page) const {
+        const ui::Snapshot shown = self.snapshot();
+        if (!shown.solved || !shown.session) {
+            self.toast(LogLevel::kWarning, "toast.file", "Nothing to write yet",
+                       "The report is written when the turn is solved: finish it first.");
+            return;
+        }
+        const auto session = open_session(shown.session->folder);
+        if (!session) {
+            self.fail("The report was not written", session.error(), "");
+            return;
+        }
+        const TurnReport& report = shown.solved->report;
+        ReportFiles files = report_files(report, report.merged.size(), *session, GRIPSCAN_VERSION);
+        self.write_file(page ? "report.html" : "turns.csv",
+                        [&] { return page ? std::move(files.html) : std::move(files.csv); });
+    }
+};
+
+void Workstation::take(const ui::Request& request) {
+    std::visit(Taker{*this}, request);
+}
+
+}  // namespace gripscan::app

@@ -1,0 +1,159 @@
+#include "tests/window/outside_driver.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace gripscan::test {
+namespace {
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+void run_xdotool(const std::vector<std::string>& arguments) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        std::vector<char*> argv{const_cast<char*>("xdotool")};
+        for (const auto& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+        argv.push_back(nullptr);
+        ::execvp("xdotool", argv.data());
+        ::_exit(127);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+template <typename Condition>
+bool wait_until(double patience_s, const Condition& condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(20ms);
+    }
+    return true;
+}
+
+}  // namespace
+
+OutsideDriver::OutsideDriver(const fs::path& home, const std::vector<std::string>& arguments)
+    : screen_(VirtualScreen::make()), home_(home) {
+    if (!screen_) return;
+    fs::create_directories(home);
+    std::error_code ignored;
+    fs::remove(home / "widgets.json", ignored);
+    program_ = ::fork();
+    if (program_ != 0) return;
+    ::setenv("HOME", home.c_str(), 1);
+    ::setenv("XDG_STATE_HOME", (home / "state").c_str(), 1);
+    ::setenv("XDG_CONFIG_HOME", (home / "config").c_str(), 1);
+    ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    const int err = ::open((home / "stderr.txt").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+    ::dup2(err, STDERR_FILENO);
+    const std::string widgets = (home / "widgets.json").string();
+    std::vector<char*> argv{const_cast<char*>(GRIPSCAN_PROGRAM)};
+    for (const auto& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+    argv.push_back(const_cast<char*>("--widgets"));
+    argv.push_back(const_cast<char*>(widgets.c_str()));
+    argv.push_back(nullptr);
+    ::execv(GRIPSCAN_PROGRAM, argv.data());
+    ::_exit(127);
+}
+
+OutsideDriver::~OutsideDriver() {
+    if (running()) kill_now();
+}
+
+nlohmann::json OutsideDriver::controls() const {
+    return nlohmann::json::parse(text_of(home_ / "widgets.json"), nullptr, false);
+}
+
+std::optional<OutsideDriver::Control> OutsideDriver::find(const std::string& id) const {
+    const auto list = controls();
+    if (list.is_discarded() || !list.contains("widgets")) return std::nullopt;
+    for (const auto& widget : list["widgets"]) {
+        if (widget["id"] != id) continue;
+        const auto& rect = widget["rect"];
+        return Control{widget["label"], rect[0].get<int>() + rect[2].get<int>() / 2,
+                       rect[1].get<int>() + rect[3].get<int>() / 2, widget["enabled"],
+                       widget["reason"]};
+    }
+    return std::nullopt;
+}
+
+bool OutsideDriver::wait_for(const std::string& id, double patience_s) const {
+    return wait_until(patience_s,
+                      [&] {
+                          const auto control = find(id);
+                          return (control && control->enabled) || !running();
+                      }) &&
+           running();
+}
+
+bool OutsideDriver::press(const std::string& id, int button, double patience_s) const {
+    if (!wait_for(id, patience_s)) return false;
+    const auto control = find(id);
+    if (!control) return false;
+    run_xdotool({"mousemove", std::to_string(control->x), std::to_string(control->y)});
+    std::this_thread::sleep_for(60ms);
+    run_xdotool({"mousedown", std::to_string(button)});
+    std::this_thread::sleep_for(60ms);
+    run_xdotool({"mouseup", std::to_string(button)});
+    std::this_thread::sleep_for(60ms);
+    return true;
+}
+
+bool OutsideDriver::click(const std::string& id, double patience_s) const {
+    return press(id, 1, patience_s);
+}
+
+bool OutsideDriver::right_click(const std::string& id, double patience_s) const {
+    return press(id, 3, patience_s);
+}
+
+void OutsideDriver::key(const std::string& name) const {
+    run_xdotool({"key", "--delay", "60", name});
+    std::this_thread::sleep_for(100ms);
+}
+
+void OutsideDriver::type(const std::string& text) const {
+    run_xdotool({"type", "--delay", "40", text});
+    std::this_thread::sleep_for(100ms);
+}
+
+bool OutsideDriver::running() const {
+    if (program_ <= 0 || status_) return false;
+    int status = 0;
+    if (::waitpid(program_, &status, WNOHANG) == 0) return true;
+    status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return false;
+}
+
+void OutsideDriver::kill_now() {
+    ::kill(program_, SIGKILL);
+    (void)wait_for_end();
+}
+
+int OutsideDriver::wait_for_end(double patience_s) {
+    (void)wait_until(patience_s, [&] { return !running(); });
+    return status_.value_or(-1);
+}
+
+std::string OutsideDriver::error_text() const {
+    return text_of(home_ / "stderr.txt");
+}
+
+}  // namespace gripscan::test

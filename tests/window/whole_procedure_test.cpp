@@ -1,0 +1,127 @@
+// A turn from the start page to the exported template, by mouse and keys from outside.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/window/outside_driver.h"
+
+namespace gripscan::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// GRIPSCAN_WINDOW_STEP_DEG=10 makes the whole turn of 36 steps of it.
+std::string step_deg() {
+    const char* wanted = std::getenv("GRIPSCAN_WINDOW_STEP_DEG");
+    return wanted != nullptr ? wanted : "40";
+}
+
+/// The only session below the user's folder.
+fs::path session_in(const fs::path& home) {
+    for (const auto& entry : fs::directory_iterator(home / "gripscan")) return entry.path();
+    return {};
+}
+
+int run_headless(const std::vector<std::string>& arguments) {
+    std::string line = GRIPSCAN_PROGRAM;
+    for (const auto& a : arguments) line += " '" + a + "'";
+    return std::system((line + " >/dev/null 2>&1").c_str());
+}
+
+/// Begins a session in the simulated cell with this test's step, connected and idle.
+void begin_turn(const OutsideDriver& driver) {
+    ASSERT_TRUE(driver.click("start.simulated"));
+    ASSERT_TRUE(driver.wait_for("step.check_cell")) << driver.error_text();
+    if (step_deg() == "10") return;
+    ASSERT_TRUE(driver.click("page.cell"));
+    ASSERT_TRUE(driver.click("cell.plan.step"));
+    driver.key("ctrl+a");
+    driver.type(step_deg());
+    driver.key("Return");
+    ASSERT_TRUE(driver.click("page.procedure"));
+}
+
+/// Two steps by hand, one of them again, one halved, one taken back; the rest by itself; export.
+TEST(WholeProcedure, ByHandThenByItselfToTheExportedTemplate) {
+    const TemporaryFolder folder;
+    const fs::path home = folder / "home";
+    OutsideDriver driver(home, {});
+    begin_turn(driver);
+    ASSERT_TRUE(driver.click("step.check_cell"));
+    ASSERT_TRUE(driver.click("step.warm_up"));
+    ASSERT_TRUE(driver.click("step.capture"));
+    ASSERT_TRUE(driver.wait_for("step.step")) << driver.find("step.step")->reason;
+    driver.key("space");  // the next action: the first step
+    ASSERT_TRUE(driver.click("step.retry"));
+    ASSERT_TRUE(driver.click("step.halve"));
+    ASSERT_TRUE(driver.click("step.step"));
+    ASSERT_TRUE(driver.wait_for("step.undo"));
+    driver.key("ctrl+z");
+    ASSERT_TRUE(driver.click("step.run"));
+    ASSERT_TRUE(driver.click("page.template"));
+    ASSERT_TRUE(driver.click("window.export", 800.0)) << driver.error_text();
+    ASSERT_TRUE(driver.click("export.format.pcd"));
+    ASSERT_TRUE(driver.click("export.encoding.binary"));
+    ASSERT_TRUE(driver.click("export.file"));
+    driver.key("ctrl+a");
+    const fs::path exported = folder / "template.pcd";
+    driver.type(exported.string());
+    driver.key("Tab");
+    ASSERT_TRUE(driver.click("export.write"));
+    for (int i = 0; i < 500 && !fs::exists(exported); ++i) ::usleep(20000);
+    ASSERT_TRUE(fs::exists(exported)) << driver.error_text();
+    ASSERT_TRUE(driver.click("window.close"));
+    ASSERT_TRUE(driver.wait_for("start.simulated"));
+
+    // The same by the program without a window: the recording computed again and exported.
+    const fs::path session = session_in(home);
+    const fs::path again = folder / "again.pcd";
+    ASSERT_EQ(run_headless({"replay", session.string(), "--out", (folder / "replayed").string()}),
+              0);
+    EXPECT_EQ(read_text(session / "results/template.pcd"),
+              read_text(folder / "replayed/template.pcd"));
+    ASSERT_EQ(run_headless({"export", session.string(), "--out", again.string()}), 0);
+    EXPECT_EQ(read_text(exported), read_text(again));
+}
+
+/// Without a hand in it, the window records what the command line does.
+TEST(WholeProcedure, ARunInTheWindowIsTheRunOfTheCommandLine) {
+    const TemporaryFolder folder;
+    const fs::path home = folder / "home";
+    OutsideDriver driver(home, {});
+    begin_turn(driver);
+    ASSERT_TRUE(driver.click("step.run"));
+    ASSERT_TRUE(driver.click("page.template"));
+    ASSERT_TRUE(driver.wait_for("window.export", 800.0)) << driver.error_text();
+    ASSERT_EQ(run_headless({"run", "gripper", "--cell", "sim", "--step-deg", step_deg(), "--out",
+                            (folder / "headless").string()}),
+              0);
+    EXPECT_EQ(read_text(session_in(home) / "results/template.pcd"),
+              read_text(folder / "headless/results/template.pcd"));
+}
+
+/// Killed in the middle of a run: the next start offers to resume and goes on at the step.
+TEST(WholeProcedure, KilledWhileBusyTheNextStartGoesOn) {
+    const TemporaryFolder folder;
+    const fs::path home = folder / "home";
+    {
+        OutsideDriver driver(home, {});
+        begin_turn(driver);
+        ASSERT_TRUE(driver.click("step.run"));
+        for (int i = 0; i < 6000; ++i) {
+            if (fs::exists(session_in(home) / "frames/003_right.png")) break;
+            ::usleep(20000);
+        }
+        driver.kill_now();
+    }
+    OutsideDriver driver(home, {});
+    ASSERT_TRUE(driver.click("start.resume"));
+    ASSERT_TRUE(driver.click("step.connect"));
+    ASSERT_TRUE(driver.click("step.resume"));
+    ASSERT_TRUE(driver.click("page.template", 60.0));
+    ASSERT_TRUE(driver.wait_for("window.export", 800.0)) << driver.error_text();
+    EXPECT_TRUE(fs::exists(session_in(home) / "results/template.pcd"));
+}
+
+}  // namespace
+}  // namespace gripscan::test
