@@ -41,6 +41,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> kUi{
     {"render", {"gl", "theme"}},
     {"shell", {"gl", "widgets"}},
     {"views", {"theme"}},
+    {"memory", {"views"}},
     {"panels", {"views", "render", "widgets"}},
 };
 

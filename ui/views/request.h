@@ -10,6 +10,7 @@
 
 #include "core/cloud/cloud_file.h"
 #include "core/procedure/input.h"
+#include "core/procedure/turn_plan.h"
 #include "core/registration/template_filter.h"
 #include "ui/theme/theme.h"
 #include "ui/views/page.h"
@@ -76,6 +77,9 @@ struct SelectStep {
 struct Export {
     ExportWish wish;
 };
+struct SetPlan {  ///< before the first view: limits, step and speed
+    TurnPlan plan;
+};
 struct SetFilter {  ///< of the template
     TemplateFilter filter;
 };
@@ -116,11 +120,12 @@ struct Quit {};
 using Request =
     std::variant<request::Give, request::HoldToMove, request::GoTo, request::Open, request::Resume,
                  request::Begin, request::Tour, request::CloseSession, request::Forget,
-                 request::Show, request::SelectStep, request::Export, request::SetFilter,
-                 request::CopyText, request::SaveTable, request::SaveReport, request::Screenshot,
-                 request::SetTheme, request::SetScale, request::SetLargeButtons, request::SetKey,
-                 request::SetNavigation, request::ResetLayout, request::LiveView,
-                 request::CancelJob, request::CloseToast, request::Quit>;
+                 request::Show, request::SelectStep, request::Export, request::SetPlan,
+                 request::SetFilter, request::CopyText, request::SaveTable, request::SaveReport,
+                 request::Screenshot, request::SetTheme, request::SetScale,
+                 request::SetLargeButtons, request::SetKey, request::SetNavigation,
+                 request::ResetLayout, request::LiveView, request::CancelJob, request::CloseToast,
+                 request::Quit>;
 
 /// In the order in which they were asked.
 using Requests = std::vector<Request>;

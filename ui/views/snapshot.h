@@ -20,6 +20,7 @@
 #include "core/registration/template_filter.h"
 #include "ui/theme/theme.h"
 #include "ui/views/page.h"
+#include "ui/views/request.h"
 
 namespace gripscan::ui {
 
@@ -117,11 +118,33 @@ struct WindowPreferences {
     std::vector<std::pair<std::string, std::string>> keys;  ///< action, key: those that differ
 };
 
+/// The template as it is filtered now. While a new filter is computed the old result stays.
+struct ShownTemplate {
+    std::shared_ptr<const Cloud> whole;  ///< frame of the first capture
+    std::shared_ptr<const Cloud> kept;
+    TemplateFacts whole_facts;
+    TemplateFacts kept_facts;
+    FilterCounts counts;
+    TemplateFilter
+        filter;  ///< of these counts; differs from Snapshot::filter while that is computed
+};
+
+/// A key of the window.
+struct KeyBinding {
+    std::string action;    ///< stable: "step.capture"
+    std::string label;     ///< "Capture"
+    std::string key;       ///< as it is shown: "Ctrl Z"
+    std::string group;     ///< "Procedure"
+    std::string standard;  ///< the key it has unless the user chose another
+};
+
 /// Something that failed, for the dialog that says what to do.
 struct ShownError {
     std::string title;
     std::string what;  ///< value, place, reason
     std::string advice;
+    std::string action;  ///< words of the one button that does it: "Connect again"; empty: none
+    std::vector<Request> does;  ///< what that button asks for
 };
 
 struct Snapshot {
@@ -145,8 +168,10 @@ struct Snapshot {
     std::span<const LogLine> log;
     std::vector<ToastView> toasts;
     std::optional<ShownError> error;
-    TemplateFilter filter;    ///< of the template page
-    std::string last_export;  ///< "read back equal: 369 090 points, …"; empty: none yet
+    TemplateFilter filter;  ///< of the template page, as the user wants it
+    std::optional<ShownTemplate> shown_template;
+    std::vector<KeyBinding> keys;  ///< all of them, with the user's changes
+    std::string last_export;       ///< "read back equal: 369 090 points, …"; empty: none yet
     std::string version;
 };
 
