@@ -71,44 +71,6 @@ void waiting(const Pen& pen) {
 
 }  // namespace
 
-std::string_view word(State state) {
-    constexpr std::array<std::string_view, 5> kWords{"Accept", "Check", "Reject", "Running",
-                                                     "Waiting"};
-    return kWords[static_cast<std::size_t>(state)];
-}
-
-const Colour& colour_of(const Theme& theme, State state) {
-    switch (state) {
-        case State::kAccept:
-            return theme.ok;
-        case State::kCheck:
-            return theme.check;
-        case State::kReject:
-            return theme.reject;
-        case State::kRunning:
-            return theme.accent;
-        case State::kWaiting:
-            break;
-    }
-    return theme.text_third;
-}
-
-const Colour& tint_of(const Theme& theme, State state) {
-    switch (state) {
-        case State::kAccept:
-            return theme.ok_bg;
-        case State::kCheck:
-            return theme.check_bg;
-        case State::kReject:
-            return theme.reject_bg;
-        case State::kRunning:
-            return theme.accent_bg;
-        case State::kWaiting:
-            break;
-    }
-    return theme.raised;
-}
-
 void draw_state(const Ui& ui, float x, float y, State state, float diameter_em,
                 const Colour& mark) {
     const float r = 0.5F * diameter_em * kTextSizePx * ui.scale.factor();

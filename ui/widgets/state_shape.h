@@ -2,17 +2,10 @@
 // bar, octagon with cross, ring with a filled third, dashed ring.
 #pragma once
 
-#include <string_view>
-
+#include "ui/theme/state.h"
 #include "ui/widgets/ui.h"
 
 namespace gripscan::ui {
-
-enum class State { kAccept, kCheck, kReject, kRunning, kWaiting };
-
-[[nodiscard]] std::string_view word(State state);
-[[nodiscard]] const Colour& colour_of(const Theme& theme, State state);
-[[nodiscard]] const Colour& tint_of(const Theme& theme, State state);
 
 /// Centred on a point; `mark` is the colour of the sign inside. A running state turns with time.
 void draw_state(const Ui& ui, float x, float y, State state, float diameter_em, const Colour& mark);
