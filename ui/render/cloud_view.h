@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/base/result.h"
@@ -11,11 +12,10 @@
 #include "ui/render/line_batch.h"
 #include "ui/render/orbit_camera.h"
 #include "ui/render/point_chunk.h"
+#include "ui/theme/colour_by.h"
 #include "ui/theme/theme.h"
 
 namespace gripscan::ui {
-
-enum class ColourBy { kImage, kStep, kResidual, kSeen, kDepth, kNormal, kSigma, kChunk };
 
 struct ViewSettings {
     ColourBy colour_by = ColourBy::kImage;
@@ -23,6 +23,8 @@ struct ViewSettings {
     double range_to = 1.0;       ///< at its high end; of kDepth this is the near end
     float point_size_px = 2.0F;  ///< at 100 %, 1 … 10
     bool eye_dome = true;
+    std::optional<Box> keep;    ///< in the world; points that are not kept are grey
+    bool keep_outside = false;  ///< keep what lies outside it instead
     friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
 

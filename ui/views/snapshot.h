@@ -51,6 +51,8 @@ struct ShownCapture {
     std::uint64_t generation = 0;        ///< rises when the capture was taken again
     std::shared_ptr<const Cloud> cloud;  ///< camera frame, cropped to the registration area
     std::shared_ptr<const StereoPicture> picture;  ///< null: it came as a cloud
+    /// Distance of every point to the surface of all others, m; null: not known yet.
+    std::shared_ptr<const std::vector<float>> residual_m;
 };
 
 /// The work that is going on, with its progress.

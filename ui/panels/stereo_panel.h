@@ -1,0 +1,50 @@
+// The stereo images beside the 3D view: left and right or left and disparity, with linked zoom, a
+// row ruler through both, the registration area, and what was measured in it.
+#pragma once
+
+#include <memory>
+
+#include "ui/layout/rect.h"
+#include "ui/views/request.h"
+#include "ui/views/snapshot.h"
+#include "ui/widgets/ui.h"
+
+namespace gripscan::ui {
+
+/// The images on the graphics card; uploaded only when they change. Needs a current OpenGL context
+/// from the first use until its end.
+class StereoTextures {
+  public:
+    StereoTextures();
+    ~StereoTextures();
+    StereoTextures(const StereoTextures&) = delete;
+    StereoTextures& operator=(const StereoTextures&) = delete;
+
+    struct Parts;
+    [[nodiscard]] Parts& parts() { return *parts_; }
+
+  private:
+    std::unique_ptr<Parts> parts_;
+};
+
+/// What part of an image is seen: the whole of it fits at zoom 1.
+struct ImageZoom {
+    double zoom = 1.0;
+    double centre_x = 0.5;  ///< as a part of its width
+    double centre_y = 0.5;
+    friend bool operator==(const ImageZoom&, const ImageZoom&) = default;
+};
+
+struct StereoPanelState {
+    bool disparity = false;  ///< instead of the right image
+    bool linked = true;      ///< both are zoomed and moved together
+    ImageZoom first;
+    ImageZoom second;
+    double ruler = 0.55;  ///< row, as a part of the height; follows the mouse over an image
+};
+
+/// `textures` null: only the words are drawn (no OpenGL).
+void draw_stereo_panel(const Ui& ui, const Rect& rect, const Snapshot& snapshot,
+                       StereoTextures* textures, StereoPanelState& local, Requests& out);
+
+}  // namespace gripscan::ui
