@@ -16,14 +16,15 @@ void drop_unwanted(Cloud& cloud, const ui::ExportWish& wish) {
 
 }  // namespace
 
-Result<Exported> export_template(const TurnReport& report, const ui::ExportWish& wish) {
+Result<Exported> export_template(const TurnReport& report, const ui::ExportWish& wish,
+                                 const ForEach& for_each) {
     std::error_code code;
     if (fs::exists(wish.file, code)) {
         return input_error("{} is there already; choose another name, nothing is overwritten",
                            wish.file.string());
     }
-    const FilteredTemplate kept = filter_template(report.merged, wish.filter);
-    Cloud cloud = select(report.merged, kept.indices);
+    const FilteredTemplate filtered = filter_template(report.merged, wish.filter, for_each);
+    Cloud cloud = select(report.merged, filtered.kept);
     if (cloud.empty()) {
         return input_error("nothing is left to export: the filters take all {} points away",
                            report.merged.size());

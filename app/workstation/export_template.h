@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/for_each.h"
 #include "core/registration/turn_report.h"
 #include "ui/views/request.h"
 
@@ -17,6 +18,7 @@ struct Exported {
 /// Read back and compared before it appears. Errors: no points, no axis for the axis frame, a file
 /// that is there already, one that cannot be written.
 [[nodiscard]] Result<Exported> export_template(const TurnReport& report,
-                                               const ui::ExportWish& wish);
+                                               const ui::ExportWish& wish,
+                                               const ForEach& for_each);
 
 }  // namespace gripscan::app

@@ -1,12 +1,11 @@
 #include "app/workstation/run_window.h"
 
-#include <opencv2/core.hpp>
 #include <optional>
 
 #include "app/threads.h"
 #include "app/workstation/frame_loop.h"
-#include "app/workstation/picture_file.h"
 #include "core/base/atomic_file.h"
+#include "ui/memory/session_line.h"
 
 namespace gripscan::app {
 namespace {

@@ -6,12 +6,27 @@
 #include "app/workstation/export_template.h"
 #include "core/base/atomic_file.h"
 #include "core/report/results_folder.h"
-#include "core/report/table1.h"
+#include "ui/views/key_bindings.h"
 
 namespace gripscan::app {
 namespace {
 namespace fs = std::filesystem;
 using ui::LogLevel;
+
+/// The template as the filter leaves it.
+ui::ShownTemplate shown_template(const std::shared_ptr<const ComputedTurn>& turn,
+                                 const TemplateFilter& filter, const ForEach& for_each) {
+    ui::ShownTemplate shown;
+    // The cloud lives as long as its turn.
+    shown.whole = std::shared_ptr<const Cloud>(turn, &turn->report.merged);
+    const FilteredTemplate filtered = filter_template(*shown.whole, filter, for_each);
+    shown.kept = std::make_shared<Cloud>(select(*shown.whole, filtered.kept));
+    shown.whole_facts = template_facts(*shown.whole, for_each);
+    shown.kept_facts = template_facts(*shown.kept, for_each);
+    shown.counts = filtered.counts;
+    shown.filter = filter;
+    return shown;
+}
 
 constexpr std::size_t kMostLogLines = 5000;
 
@@ -133,6 +148,7 @@ ui::Snapshot Workstation::snapshot() const {
     shown.filter = filter_;
     if (shown.solved && shown_template_.whole) shown.shown_template = shown_template_;
     shown.last_export = last_export_;
+    shown.keys = ui::key_bindings(preferences_.preferences);
     shown.version = GRIPSCAN_VERSION;
     return shown;
 }
@@ -288,39 +304,45 @@ void Workstation::refresh_filter() {
     const auto turn = solved();
     const bool done = turn == filtered_turn_ && shown_template_.filter == filter_;
     if (!turn || done || jobs_.running("Filtering the template")) return;
-    jobs_.start(
-        "Filtering the template",
-        [this, turn, filter = filter_](const Progress&) -> JobList::Outcome {
-            return [this, turn, filter,
-                    made = std::make_shared<ui::ShownTemplate>(ui::shown_template(turn, filter))] {
-                shown_template_ = *made;
-                filtered_turn_ = turn;
-                refresh_filter();
-            };
-        });
+    jobs_.start("Filtering the template",
+                [this, turn, filter = filter_,
+                 threads = settings_.threads](const Progress&) -> JobList::Outcome {
+                    WorkerPool pool(threads);
+                    auto made = std::make_shared<ui::ShownTemplate>(
+                        shown_template(turn, filter, pool.for_each()));
+                    return [this, turn, made] {
+                        shown_template_ = *made;
+                        filtered_turn_ = turn;
+                        refresh_filter();
+                    };
+                });
 }
 
 void Workstation::export_as(const ui::ExportWish& wish) {
     const auto turn = solved();
     if (!turn) return;
-    jobs_.start("Export", [this, turn, wish](const Progress&) -> JobList::Outcome {
-        return [this, exported =
-                          std::make_shared<Result<Exported>>(export_template(turn->report, wish))] {
-            if (!*exported) {
-                fail("The template was not exported", exported->error(), "");
-                return;
-            }
-            const Exported& file = **exported;
-            last_export_ =
-                fmt::format("{}: {} points, read back equal", file.file.string(), file.points);
-            log(LogLevel::kInformation, "EXP-001", last_export_);
-            toast(LogLevel::kInformation, "toast.exported",
-                  fmt::format("Exported {}", file.file.filename().string()),
-                  fmt::format("{} points, {:.1f} MB, read back equal", file.points,
-                              static_cast<double>(file.bytes) / 1e6));
-            dialog_ = ui::Dialog::kNone;
-        };
-    });
+    jobs_.start(
+        "Export",
+        [this, turn, wish, threads = settings_.threads](const Progress&) -> JobList::Outcome {
+            WorkerPool pool(threads);
+            auto exported = std::make_shared<Result<Exported>>(
+                export_template(turn->report, wish, pool.for_each()));
+            return [this, exported] {
+                if (!*exported) {
+                    fail("The template was not exported", exported->error(), "");
+                    return;
+                }
+                const Exported& file = **exported;
+                last_export_ =
+                    fmt::format("{}: {} points, read back equal", file.file.string(), file.points);
+                log(LogLevel::kInformation, "EXP-001", last_export_);
+                toast(LogLevel::kInformation, "toast.exported",
+                      fmt::format("Exported {}", file.file.filename().string()),
+                      fmt::format("{} points, {:.1f} MB, read back equal", file.points,
+                                  static_cast<double>(file.bytes) / 1e6));
+                dialog_ = ui::Dialog::kNone;
+            };
+        });
 }
 
 void Workstation::write_file(const std::string& name, const std::function<std::string()>& text) {
