@@ -44,7 +44,7 @@ struct Action {
 
 /// The key of an action: the user's, else the default.
 [[nodiscard]] std::string_view key_of(const Action& action, const WindowPreferences& preferences);
-/// Who has that key already; null: nobody. "Space" always belongs to the next action.
+/// Who has that key; null: nobody. Space belongs to the next action whatever the user set.
 [[nodiscard]] const Action* owner_of(std::string_view key, const WindowPreferences& preferences);
 
 /// What a press of that key asks for; nothing for a key without an action and for an action that

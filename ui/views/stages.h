@@ -14,8 +14,8 @@ struct StageText {
     std::string_view id;    ///< "stage.warm_up"
     std::string_view name;  ///< "Axis warm-up"
     State state = State::kWaiting;
-    std::string criterion;         ///< "axis sd 0.04° ≤ 0.10°", "needs a cell check"
-    std::string why;               ///< tooltip: the whole sentence; may be empty
+    std::string criterion = {};    ///< "axis sd 0.04° ≤ 0.10°", "needs a cell check"
+    std::string why = {};          ///< tooltip: the whole sentence; may be empty
     bool current = false;          ///< exactly one is
     Page page = Page::kProcedure;  ///< where its details are
 };

@@ -30,7 +30,7 @@ struct StatusText {
 
 /// "x −12.42  y 8.07  z 738.61 mm".
 [[nodiscard]] std::string cursor_text(const CursorReading& reading);
-/// "0:04", "5 min 12 s": rounded down.
+/// "42 s", "5 min 12 s", "2 h 05 min": rounded down.
 [[nodiscard]] std::string duration_text(double seconds);
 
 }  // namespace gripscan::ui
