@@ -10,6 +10,7 @@
 #include "app/turn_session.h"
 #include "app/turn_work.h"
 #include "core/procedure/cell_effects.h"
+#include "core/procedure/link_watch.h"
 #include "core/procedure/region_stillness.h"
 
 namespace gripscan::app {
@@ -91,12 +92,14 @@ Result<CellEffects> effects_of(Run& run, const RunOptions& options, ResultKeeper
 }
 
 Result<DrivenTurn> drive(Run& run, const RunOptions& options, RunResults& results,
-                      const Context& context) {
+                         const Context& context) {
     WorkerPool pool(thread_count(context));
     auto effects = effects_of(run, options, results, pool.for_each());
     if (!effects) return forward_error(effects.error());
     Engine engine(std::move(run.session.state), *effects, run.session.store,
                   run.session.store.journal());
+    std::optional<LinkWatch> watch;
+    if (run.cell.robot) watch.emplace(*run.cell.robot, engine);
     if (run.resumed) {
         engine.tell(event::ProgramEnded{});
         if (auto taken = engine.pump(std::chrono::seconds(1)); !taken) {
