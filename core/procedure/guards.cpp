@@ -7,6 +7,10 @@ namespace {
 
 using Why = std::optional<std::string>;
 
+bool is_blank(std::string_view text) {
+    return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
 struct Guard {
     const ProcedureState& s;
 
@@ -111,7 +115,7 @@ struct Guard {
     }
     Why operator()(const command::Accept& c) const {
         if (auto why = not_at_rest(true)) return why;
-        if (c.note.empty()) return "accepting needs a note that says why";
+        if (is_blank(c.note)) return "accepting needs a note that says why";
         if (s.data.captures.empty()) {
             if (s.cell && !s.cell->passed()) return std::nullopt;
             return "there is nothing to accept";
