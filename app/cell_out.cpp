@@ -1,30 +1,24 @@
 #include "app/cell_out.h"
 
-#include "core/base/atomic_file.h"
-#include "core/base/number_text.h"
+#include "core/session/cell_file.h"
 #include "core/stereo/rig_file.h"
 
 namespace gripscan::app {
 namespace {
 
-std::string list(const Eigen::Vector3d& v) {
-    return fmt::format("[{}, {}, {}]", text_from_number(v.x()), text_from_number(v.y()),
-                       text_from_number(v.z()));
-}
+constexpr const char* kHere = "127.0.0.1";
 
-std::string cell_text(const SimCell& cell) {
-    std::string text = "format: gripscan-cell/1\n";
-    text += fmt::format(
-        "robot: {{dialect: gsp1, host: 127.0.0.1, port: {}, monitor_port: {}, speed_percent: 10, "
-        "settle_ms: 300}}\n",
-        cell.motion_port(), cell.monitor_port());
-    text += fmt::format("camera: {{driver: frames, host: 127.0.0.1, port: {}}}\n",
-                        cell.frames_port().value());
-    text += "rig: rig.yaml\n";
-    text += fmt::format("region: {{min: {}, max: {}}}\n", list(cell.region().min_m),
-                        list(cell.region().max_m));
-    text += fmt::format("axis_hint: {}\n", list(cell.axis_hint()));
-    return text;
+CellFile cell_file_of(const SimCell& cell, const std::filesystem::path& rig) {
+    CellFile file;
+    file.robot = CellRobot{.dialect = "gsp1",
+                           .host = kHere,
+                           .port = cell.motion_port(),
+                           .monitor_port = cell.monitor_port()};
+    file.camera = FrameServer{kHere, cell.frames_port().value()};
+    file.rig = rig;
+    file.region = cell.region();
+    file.axis_hint = cell.axis_hint();
+    return file;
 }
 
 }  // namespace
@@ -35,8 +29,9 @@ Status write_cell_files(const SimCell& cell, const std::filesystem::path& folder
     if (failure) {
         return input_error("cannot make the folder {}: {}", folder.string(), failure.message());
     }
-    if (Status s = save_rig(folder / "rig.yaml", cell.rig()); !s) return s;
-    return write_file_atomically(folder / "cell.yaml", cell_text(cell));
+    const auto rig = folder / "rig.yaml";
+    if (Status s = save_rig(rig, cell.rig()); !s) return s;
+    return save_cell_file(folder / "cell.yaml", cell_file_of(cell, rig));
 }
 
 }  // namespace gripscan::app

@@ -98,6 +98,7 @@ Status TurnRun::start(const TurnRunOptions& options, TurnRunViewers viewers,
     }
     engine_ = std::make_unique<Engine>(std::move(session_.state), *effects_, session_.store,
                                        session_.store.journal());
+    if (cell_.robot) watch_.emplace(*cell_.robot, *engine_, std::move(viewers.beat));
     if (!resumed_) return {};
     engine_->tell(event::ProgramEnded{});
     auto taken = engine_->pump(std::chrono::seconds(1));

@@ -11,6 +11,7 @@
 #include "core/concurrency/worker_pool.h"
 #include "core/procedure/cell_effects.h"
 #include "core/procedure/engine.h"
+#include "core/procedure/link_watch.h"
 
 namespace gripscan::app {
 
@@ -31,6 +32,7 @@ struct TurnRunViewers {
     CellEffects::Prepared prepared;
     decltype(Progress::report) progress;
     std::function<void(const ComputedTurn&)> solved;
+    LinkWatch::Viewer beat;
 };
 
 class TurnRun {
@@ -67,7 +69,8 @@ class TurnRun {
     std::unique_ptr<WorkerPool> pool_;
     std::unique_ptr<Keeper> keeper_;
     std::unique_ptr<CellEffects> effects_;
-    std::unique_ptr<Engine> engine_;  // last: its worker uses all of the above
+    std::unique_ptr<Engine> engine_;  // its worker uses all of the above
+    std::optional<LinkWatch> watch_;
 };
 
 }  // namespace gripscan::app

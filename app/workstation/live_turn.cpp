@@ -62,11 +62,9 @@ Status LiveTurn::begin(const TurnRunOptions& options, const Progress& progress) 
         auto live = LiveView::make(cell.rig, std::move(settings), wake_);
         if (!live) return forward_error(live.error());
         live_ = std::move(*live);
-        if (cell.robot) {
-            cell.robot->on_beat([this](const RobotBeat& beat) { note_beat(beat); });
-        }
         return {};
     };
+    viewers.beat = [this](const RobotBeat& beat) { note_beat(beat); };
     viewers.frame = [this](const FrameRequest& request, const StereoFrame& frame) {
         live_->show(request, frame);
     };

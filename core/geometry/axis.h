@@ -12,8 +12,12 @@ struct Axis {
     Eigen::Vector3d point_m = Eigen::Vector3d::Zero();
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
 
+    /// Where along the axis p lies, from `point_m`.
+    [[nodiscard]] double along_m(const Eigen::Vector3d& p_m) const {
+        return direction.dot(p_m - point_m);
+    }
     [[nodiscard]] Eigen::Vector3d nearest_to(const Eigen::Vector3d& p_m) const {
-        return point_m + direction * direction.dot(p_m - point_m);
+        return point_m + direction * along_m(p_m);
     }
     [[nodiscard]] double distance_m(const Eigen::Vector3d& p_m) const {
         return (p_m - nearest_to(p_m)).norm();

@@ -4,7 +4,6 @@
 
 #include "core/procedure/cell_check.h"
 #include "core/procedure/measure_cell.h"
-#include "core/procedure/warm_up_axis.h"
 
 namespace gripscan {
 namespace {
@@ -38,7 +37,7 @@ struct CellEffects::Doing {
 
     Event operator()(const effect::OpenLink&) const { return self.open_link(); }
     Event operator()(const effect::MeasureCell&) const {
-        return event::CellChecked{self.checked(state, std::nullopt, progress)};
+        return event::CellChecked{self.checked(state, {}, progress)};
     }
     Event operator()(const effect::Turn& e) const { return self.turn(e.command, progress.stop); }
     Event operator()(const effect::LogTurn&) const { return event::TurnLogged{}; }
@@ -85,13 +84,13 @@ Event CellEffects::open_link() {
     return up;
 }
 
-CellReport CellEffects::checked(const ProcedureState& state,
-                                const std::optional<AxisEstimate>& axis, const Progress& progress) {
+CellReport CellEffects::checked(const ProcedureState& state, const WarmUpAxis& warm_up,
+                                const Progress& progress) {
     std::vector<WarmUpView> views;
     for (const RecordedCapture& shot : warm_up_) {
         const PreparedView* view = workspace_.view(shot.index);
-        if (axis && view != nullptr && shot.joint6_rad) {
-            views.push_back({&view->cloud, *shot.joint6_rad});
+        if (warm_up.found.axis && view != nullptr && shot.joint6_rad) {
+            views.push_back({&view->cloud, warm_up.sense * *shot.joint6_rad});
         }
     }
     const CellUnderTest cell{.robot = cell_.robot,
@@ -100,7 +99,7 @@ CellReport CellEffects::checked(const ProcedureState& state,
                              .region = cell_.region,
                              .session = cell_.session,
                              .T_robot_camera = cell_.T_robot_camera,
-                             .axis = axis,
+                             .axis = warm_up.found.axis,
                              .warm_up = views,
                              .settle_s = cell_.exposure.settle_s,
                              .compute_s = std::nullopt};
@@ -190,9 +189,7 @@ Event CellEffects::judge(const effect::Judge& pair, const ProcedureState& state,
 Event CellEffects::estimate(const ProcedureState& state, const Progress& progress) {
     auto warm_up = find_axis(warm_up_, workspace_, cell_.axis_hint, progress, for_each_);
     if (!warm_up) return event::WorkFailed{warm_up.error().message};
-    std::optional<AxisEstimate> as_turned = warm_up->found.axis;
-    if (as_turned && warm_up->backwards) as_turned->axis.direction = -as_turned->axis.direction;
-    warm_up->found.cell = checked(state, as_turned, progress);
+    warm_up->found.cell = checked(state, *warm_up, progress);
     return warm_up->found;
 }
 

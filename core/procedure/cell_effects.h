@@ -12,7 +12,7 @@
 #include "core/procedure/capture_store.h"
 #include "core/procedure/effect_runner.h"
 #include "core/procedure/exposure.h"
-#include "core/procedure/turn_workspace.h"
+#include "core/procedure/warm_up_axis.h"
 
 namespace gripscan {
 
@@ -70,8 +70,7 @@ class CellEffects : public EffectRunner {
     /// Everything used, loaded and prepared, that is not there yet.
     [[nodiscard]] Status prepare(const std::vector<RecordedCapture>& captures,
                                  const Progress& progress);
-    [[nodiscard]] CellReport checked(const ProcedureState& state,
-                                     const std::optional<AxisEstimate>& axis,
+    [[nodiscard]] CellReport checked(const ProcedureState& state, const WarmUpAxis& warm_up,
                                      const Progress& progress);
 
     CellEquipment cell_;

@@ -29,6 +29,10 @@ Why problem_of(const TurnPlan& now, const TurnPlan& plan) {
     return std::nullopt;
 }
 
+bool is_blank(std::string_view text) {
+    return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
 struct Guard {
     const ProcedureState& s;
 
@@ -134,7 +138,7 @@ struct Guard {
     }
     Why operator()(const command::Accept& c) const {
         if (auto why = not_at_rest(true)) return why;
-        if (c.note.empty()) return "accepting needs a note that says why";
+        if (is_blank(c.note)) return "accepting needs a note that says why";
         if (s.data.captures.empty()) {
             if (s.cell && !s.cell->passed()) return std::nullopt;
             return "there is nothing to accept";

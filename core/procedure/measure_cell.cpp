@@ -140,7 +140,7 @@ void compare_warm_up(const CellUnderTest& cell, CellFacts& facts) {
     const WarmUpView& first = cell.warm_up.front();
     const WarmUpView& last = cell.warm_up.back();
     const StillSurface still = still_surface(*first.cloud, *last.cloud, cell.axis->axis,
-                                             last.joint6_rad - first.joint6_rad);
+                                             last.turned_rad - first.turned_rad);
     facts.still = pieces_of(still.beside, kGap_m, kLeastPiece_m2);
     facts.still_at_arm = pieces_of(still.at_arm, kGap_m, kLeastPiece_m2);
 }

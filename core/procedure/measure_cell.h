@@ -15,10 +15,11 @@
 
 namespace gripscan {
 
-/// A view of the warm-up: cropped to the region, with where joint 6 stood.
+/// A view of the warm-up: cropped to the region, with how far the gripper had turned about the
+/// axis, from any start, in the scans' own sense.
 struct WarmUpView {
     const Cloud* cloud = nullptr;
-    double joint6_rad = 0.0;
+    double turned_rad = 0.0;
 };
 
 /// References outlive the call.
@@ -29,7 +30,7 @@ struct CellUnderTest {
     std::optional<Box> region;
     std::filesystem::path session;  ///< its folder; it may not exist yet
     std::optional<Pose> T_robot_camera;
-    /// From the warm-up; the direction is that of the positive turn, which points into the arm.
+    /// From the warm-up; the direction points into the arm.
     std::optional<AxisEstimate> axis;
     std::span<const WarmUpView> warm_up;
     double settle_s = 0.0;

@@ -42,6 +42,8 @@ Diagnosis diagnose_slip(const AdvisorCase& c) {
 /// The row's cause, sharpened by what other rows and attempts say.
 Diagnosis diagnose(const AdvisorCase& c, const TurnLimits& limits) {
     const TurnStep& row = c.step.row;
+    // What stands in the area spoils the angle as well: no pattern of angles says what it is.
+    if (c.step.foreign) return {row.cause, Certainty::kEstablished, {}};
     if (row.cause == Cause::kSlip) return diagnose_slip(c);
     // Set from a pattern over the whole table: no accident.
     if (row.cause == Cause::kSign || row.cause == Cause::kRatio) {

@@ -19,15 +19,12 @@ constexpr double kLeastMove_m = 0.004;
 /// The fifth of what turned that is nearest to the arm: a wrist may reach around the flange.
 constexpr double kArmsShare = 0.2;
 
-double along(const Axis& axis, const Eigen::Vector3f& p) {
-    return axis.direction.dot(p.cast<double>() - axis.point_m);
-}
-
 /// Where, along the axis, the arm's share of what turned begins.
 double begin_of_arms_share(const Cloud& cloud, const Axis& axis, std::vector<std::size_t> turned) {
     if (turned.empty()) return 0.0;
     std::vector<double> places;
-    for (const std::size_t i : turned) places.push_back(along(axis, cloud.points[i]));
+    for (const std::size_t i : turned)
+        places.push_back(axis.along_m(cloud.points[i].cast<double>()));
     const auto begin =
         places.begin() +
         static_cast<std::ptrdiff_t>((1.0 - kArmsShare) * static_cast<double>(places.size() - 1));
@@ -57,7 +54,8 @@ StillSurface still_surface(const Cloud& first, const Cloud& second, const Axis& 
     std::vector<std::size_t> beside;
     std::vector<std::size_t> at_arm;
     for (const std::size_t i : still) {
-        (along(axis, thin.points[i]) > arm_m ? at_arm : beside).push_back(i);
+        const double place_m = axis.along_m(thin.points[i].cast<double>());
+        (place_m > arm_m ? at_arm : beside).push_back(i);
     }
     return {select(thin, beside), select(thin, at_arm)};
 }

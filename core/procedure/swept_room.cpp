@@ -15,10 +15,6 @@ constexpr double kFarAway_m = 10.0;
 /// What stands before the tip within this is in the way as well.
 constexpr double kBeforeTip_m = 0.020;
 
-double along(const Axis& axis, const Eigen::Vector3f& p) {
-    return axis.direction.dot(p.cast<double>() - axis.point_m);
-}
-
 /// The value below which the share lies; the values may be reordered.
 double quantile(std::vector<double>& values, double share) {
     const auto at = values.begin() +
@@ -36,17 +32,19 @@ SweepFacts swept_room(const Cloud& gripper, const Cloud& scene, const Box& regio
     if (gripper.empty()) return facts;
     std::vector<double> radii, places;
     for (const Eigen::Vector3f& p : gripper.points) {
-        radii.push_back(axis.distance_m(p.cast<double>()));
-        places.push_back(along(axis, p));
+        const Eigen::Vector3d p_m = p.cast<double>();
+        radii.push_back(axis.distance_m(p_m));
+        places.push_back(axis.along_m(p_m));
     }
     facts.gripper_radius_m = quantile(radii, 1.0 - kRimOutliers);
     const double tip_m = quantile(places, kRimOutliers) - kBeforeTip_m;
     const double arm_m = quantile(places, 1.0 - kRimOutliers);
     std::vector<double> around;
     for (const Eigen::Vector3f& p : scene.points) {
-        const double place_m = along(axis, p);
-        if (place_m < tip_m || place_m > arm_m || region.contains(p.cast<double>())) continue;
-        around.push_back(axis.distance_m(p.cast<double>()));
+        const Eigen::Vector3d p_m = p.cast<double>();
+        const double place_m = axis.along_m(p_m);
+        if (place_m < tip_m || place_m > arm_m || region.contains(p_m)) continue;
+        around.push_back(axis.distance_m(p_m));
     }
     if (around.size() <= kLeastPoints) return facts;
     const auto nearest = around.begin() + static_cast<std::ptrdiff_t>(kLeastPoints);

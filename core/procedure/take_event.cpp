@@ -89,6 +89,8 @@ struct TakeEvent {
             interrupted = std::move(connecting->interrupted);
         } else if (auto* stopped = std::get_if<phase::Interrupted>(&s.phase)) {
             interrupted = std::move(stopped->activity);
+        } else if (std::holds_alternative<phase::Offline>(s.phase)) {
+            return draft.refuse("the link is known to be down");
         } else if (std::holds_alternative<phase::Busy>(s.phase) ||
                    std::holds_alternative<phase::Halting>(s.phase)) {
             return draft.refuse("what is going on will report it");

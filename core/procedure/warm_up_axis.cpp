@@ -52,7 +52,7 @@ Result<WarmUpAxis> find_axis(std::span<const RecordedCapture> shots, TurnWorkspa
         fmt::format("found by {} small turns to {:.2f} deg and {:.2f} mm{}", turns.size(),
                     deg_from_rad(axis->sd_rad), axis->sd_m * kMmPerM,
                     backwards ? "; the scans turn the other way than joint 6 reports" : "");
-    return WarmUpAxis{{axis, sentence, std::nullopt}, backwards};
+    return WarmUpAxis{{axis, sentence, std::nullopt}, backwards ? -1.0 : 1.0};
 }
 
 }  // namespace gripscan

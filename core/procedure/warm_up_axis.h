@@ -11,9 +11,9 @@ namespace gripscan {
 
 struct WarmUpAxis {
     event::AxisFound found;
-    /// The scans turned the other way than joint 6 reports, by the hint: what stands still and what
-    /// turns has then to be told by the scans' own sense.
-    bool backwards = false;
+    /// -1: the scans turned the other way than joint 6 reports, by the hint. What stands still and
+    /// what turns has to be told by the scans' own sense.
+    double sense = 1.0;
 };
 
 /// `shots` in order of the turns, all upwards; they are added to the workspace. A surface that does

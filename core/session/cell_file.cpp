@@ -87,8 +87,7 @@ std::optional<Pose> read_alignment(StrictYaml& yaml) {
 
 /// As it is written into `file`.
 std::string path_line(std::string_view key, const fs::path& target, const fs::path& file) {
-    const fs::path inside =
-        target.is_absolute() ? target : target.lexically_relative(file.parent_path());
+    const fs::path inside = target.lexically_relative(file.parent_path());
     const bool below = !inside.empty() && *inside.begin() != "..";
     std::error_code code;
     const fs::path written = below ? inside : fs::absolute(target, code);

@@ -47,8 +47,8 @@ struct CellFile {
 /// are relative to it.
 [[nodiscard]] Result<CellFile> load_cell_file(const std::filesystem::path& path);
 
-/// Every value is written, absolute paths and those inside the file's folder as they are from
-/// there.
+/// Every value is written; paths inside the file's folder as they are from there, so that the
+/// folder can be moved, all others absolute.
 [[nodiscard]] Status save_cell_file(const std::filesystem::path& path, const CellFile& cell);
 
 }  // namespace gripscan

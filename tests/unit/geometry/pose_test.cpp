@@ -16,6 +16,20 @@ namespace {
 
 using std::numbers::pi;
 
+TEST(Axis, APointIsItsPlaceAlongTheAxisAndItsDistance) {
+    SeededRandom random(5);
+    for (int i = 0; i < 200; ++i) {
+        const Axis axis{random.normal() * Eigen::Vector3d::Ones(), test::random_direction(random)};
+        const Eigen::Vector3d across =
+            axis.direction.cross(test::random_direction(random)).normalized();
+        const double along_m = random.uniform(-2.0, 2.0);
+        const double away_m = random.uniform(0.0, 2.0);
+        const Eigen::Vector3d p_m = axis.point_m + along_m * axis.direction + away_m * across;
+        EXPECT_NEAR(axis.along_m(p_m), along_m, 1e-13);
+        EXPECT_NEAR(axis.distance_m(p_m), away_m, 1e-13);
+    }
+}
+
 TEST(EulerAngles, ReadBackBothWays) {
     SeededRandom random(1);
     for (int i = 0; i < 2000; ++i) {

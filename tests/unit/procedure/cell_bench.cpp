@@ -82,7 +82,7 @@ Cloud CellBench::cloud_of(int shot) {
     return stereo_cloud(frame, rectifier.rig(), region, {}, {}, pool_.for_each()).value().cloud;
 }
 
-void CellBench::warm_up() {
+void CellBench::warm_up(double sense) {
     make_camera();
     const double start_rad = layout.joints_rad[5];
     clouds_.clear();
@@ -90,7 +90,7 @@ void CellBench::warm_up() {
     clouds_.reserve(kShots);
     for (int shot = 0; shot < kShots; ++shot) {
         const auto reading =
-            robot.turn_joint6({shot + 1, start_rad + shot * kShot_rad}, {}).value();
+            robot.turn_joint6({shot + 1, start_rad + sense * shot * kShot_rad}, {}).value();
         clouds_.push_back(cloud_of(shot));
         views_.push_back({&clouds_.back(), reading.joints_rad[5]});
     }

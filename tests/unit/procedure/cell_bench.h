@@ -52,8 +52,9 @@ class CellBench {
 
     void put(const Intruder& intruder);
     void defocus(double blur_px);
-    /// Three pictures 4° apart, as the procedure takes them; the arm returns to the start.
-    void warm_up();
+    /// Three pictures 4° apart, as the procedure takes them; the arm returns to the start. Sense -1:
+    /// the gripper turns downwards, as with a joint that turns the other way than it is told.
+    void warm_up(double sense = 1.0);
     [[nodiscard]] CellReport check();
 
     sim::CellLayout layout;

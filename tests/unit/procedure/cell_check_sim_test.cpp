@@ -32,6 +32,14 @@ TEST_P(HealthyCell, PassesBeforeAndAfterTheWarmUp) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, HealthyCell, testing::Values(1, 2, 3));
 
+TEST(CellCheckOnTheSimulatedCell, IsTheSameWhereTheJointTurnsTheOtherWay) {
+    CellBench bench(1);
+    bench.warm_up(-1.0);
+    const CellReport report = bench.check();
+    EXPECT_THAT(failed_items(report), IsEmpty()) << text_of(report);
+    EXPECT_EQ(item_of(report, "sweep").outcome, CheckOutcome::kPassed);
+}
+
 TEST(CellCheckOnTheSimulatedCell, FindsAThingBeforeTheGripperAtOnceAndAfterTheWarmUp) {
     CellBench bench(1);
     const Eigen::Vector3d at_m =

@@ -127,10 +127,14 @@ TEST(RetryAdvisor, StopsAtOnceForAnythingForeignAndSaysWhereItIs) {
     for (const Cause cause : {Cause::kNone, Cause::kMislabelled, Cause::kOverlap, Cause::kLoose}) {
         JudgedStep step = rejected(cause, 3.0);
         step.foreign = ForeignObject{{0.012, -0.040, 0.700}, 220.0};
-        const Advice advice = advice_for(step, {accepted()}, {});
-        EXPECT_EQ(advice.action, kStop);
-        EXPECT_THAT(advice.sentence, HasSubstr("220 mm² at (12, -40, 700) mm"));
-        EXPECT_THAT(advice.sentence, HasSubstr("clear the registration area"));
+        // Attempts that agree on a wrong angle would otherwise be the play of a joint.
+        for (const auto& attempts : {std::vector<JudgedStep>{}, {step, step}}) {
+            const Advice advice = advice_for(step, {accepted()}, attempts);
+            EXPECT_EQ(advice.action, kStop);
+            EXPECT_EQ(advice.cause, cause);
+            EXPECT_THAT(advice.sentence, HasSubstr("220 mm² at (12, -40, 700) mm"));
+            EXPECT_THAT(advice.sentence, HasSubstr("clear the registration area"));
+        }
     }
 }
 

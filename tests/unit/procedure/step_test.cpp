@@ -142,6 +142,7 @@ TEST(Step, AFailedCellCheckBlocksCaptureUntilItIsAcceptedWithANote) {
     EXPECT_FALSE(bench.command(command::Capture{}));
     EXPECT_THAT(bench.refused, HasSubstr("cell check has failed"));
     EXPECT_FALSE(bench.command(command::Accept{""})) << "a note is wanted";
+    EXPECT_FALSE(bench.command(command::Accept{" \t"})) << "blanks say nothing";
     ASSERT_TRUE(bench.command(command::Accept{"the range is enough for half a turn"}));
     EXPECT_TRUE(bench.command(command::Capture{}));
     bench.state.running = false;
@@ -203,6 +204,7 @@ TEST(Step, AcceptWantsANoteAndTurnsTheVerdict) {
     };
     bench.first_steps(1);
     EXPECT_FALSE(bench.command(command::Accept{""}));
+    EXPECT_FALSE(bench.command(command::Accept{" \t"})) << "blanks say nothing";
     ASSERT_TRUE(bench.command(command::Accept{"play of the old gearbox, seen on the dial"}));
     EXPECT_TRUE(bench.in<phase::Idle>());
     const auto table = table_of(bench.state);
@@ -456,7 +458,8 @@ std::vector<Command> every_command() {
             command::Back{},     command::Undo{},      command::Redo{},
             command::Exclude{1}, command::Retake{1},   command::TellAngle{0.1},
             command::Run{},      command::Pause{},     command::Stop{},
-            command::Resume{},   command::Finish{},    command::SetPlan{}};
+            command::Resume{},   command::Finish{},    command::SetPlan{},
+            command::Accept{" \t\n"}};
 }
 
 /// What was measured for the plan before does not hold for the new one; the recording is judged by
@@ -488,7 +491,8 @@ TEST(Step, ThePlanChangesBeforeTheFirstViewAndThenNoMore) {
     EXPECT_TRUE(refusal(bench.state, command::SetPlan{plan}));
 }
 
-/// Which commands are taken in which phase; everything else is refused with a reason.
+/// Which commands are taken in which phase; everything else is refused with a reason. Accepting with
+/// a blank note never is.
 TEST(Step, TableOfCommandsAndPhases) {
     const std::map<std::string, std::vector<std::string>> taken{
         {"offline", {"connect", "set_plan"}},
@@ -542,7 +546,7 @@ std::vector<Event> every_event() {
 /// Which events are expected in which phase; the others are refused and change nothing.
 TEST(Step, TableOfEventsAndPhases) {
     const std::map<std::string, std::vector<std::string>> taken{
-        {"offline", {"link_down", "program_ended"}},
+        {"offline", {"program_ended"}},
         {"connecting", {"link_up", "link_down", "program_ended"}},
         {"idle, unchecked", {"link_down", "program_ended"}},
         {"checking", {"cell_checked", "work_failed", "program_ended"}},

@@ -2,10 +2,16 @@
 
 #include <set>
 
+#include "core/procedure/advice.h"
 #include "core/procedure/field_words.h"
 #include "core/procedure/input_words.h"
 
 namespace gripscan {
+
+/// No journal holds it; scripts read it from what is said.
+template <>
+inline constexpr auto kLastOf<AdvisedAction> = AdvisedAction::kStop;
+
 namespace {
 
 using testing::ElementsAre;
@@ -59,8 +65,8 @@ TEST(Words, BelongToTheirEvents) {
 
 template <typename Enum>
 class EnumerationWords : public testing::Test {};
-using Enumerations =
-    testing::Types<Verdict, Cause, TurnMode, CaptureStatus, CheckOutcome, RobotFault, MotionMode>;
+using Enumerations = testing::Types<Verdict, Cause, TurnMode, CaptureStatus, CheckOutcome,
+                                    RobotFault, MotionMode, AdvisedAction>;
 TYPED_TEST_SUITE(EnumerationWords, Enumerations);
 
 /// A word that two values share would lead back to the first of them only.
