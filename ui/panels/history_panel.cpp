@@ -1,5 +1,6 @@
 #include "ui/panels/history_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

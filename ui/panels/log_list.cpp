@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "ui/views/log_text.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/draw.h"
