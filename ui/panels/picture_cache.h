@@ -9,7 +9,8 @@
 
 namespace gripscan::ui {
 
-/// Needs a current OpenGL context. Textures that were not asked for in a frame are let go.
+/// Needs a current OpenGL context from the first image to its end. Only the latest images asked for
+/// are kept: as many as are shown at once.
 class PictureCache {
   public:
     PictureCache();
@@ -17,14 +18,12 @@ class PictureCache {
     PictureCache(const PictureCache&) = delete;
     PictureCache& operator=(const PictureCache&) = delete;
 
-    /// An 8-bit grey image; the same data are the same texture. Null for an empty image.
+    /// An 8-bit grey image; the same data are the same texture. Null for any other image.
     [[nodiscard]] ImTextureID texture(const cv::Mat& grey);
-    /// At the end of a frame.
-    void forget_unused();
 
   private:
     struct Entry;
-    std::vector<std::unique_ptr<Entry>> entries_;
+    std::vector<std::unique_ptr<Entry>> entries_;  ///< the latest last
 };
 
 }  // namespace gripscan::ui

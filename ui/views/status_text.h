@@ -1,21 +1,13 @@
 // What the status bar says of robot, joints and the turn. Pure.
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
 #include <string>
 
 #include "ui/theme/state.h"
+#include "ui/views/cursor_reading.h"
 #include "ui/views/snapshot.h"
 
 namespace gripscan::ui {
-
-/// What the mouse points at in the 3D view.
-struct CursorReading {
-    Eigen::Vector3d point_m = Eigen::Vector3d::Zero();  ///< in the frame that is shown
-    std::optional<double> residual_m;
-    std::optional<int> step;
-};
 
 struct StatusText {
     std::string robot;  ///< "Ready", "Moving to 150.0°", "Offline: …"

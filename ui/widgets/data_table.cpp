@@ -77,6 +77,11 @@ void draw_cell(const Ui& ui, const Placed& at, float y, const TableColumn& colum
         const Colour& bar = cell.tone == Tone::kNormal ? ui.theme.accent_text : colour;
         draw_error_bar(ui, at.x + ui.em(2.43F), y, *cell.bar, bar);
     }
+    if (!column.words && cell.tone == Tone::kStrong) {  // the name of a row, as wide as it is
+        draw_text(ui, static_cast<float>(at.x) + ui.scale.em(0.86F), y, FontRole::kTableStrong,
+                  colour, cell.text);
+        return;
+    }
     if (!column.words) {
         draw_text(ui, right, y, FontRole::kNumberTable, colour, cell.text, Align::kRight);
         return;

@@ -36,7 +36,8 @@ bool evidence_row(const Ui& ui, const Rect& rect, const Evidence& evidence) {
     const auto [event, attention] = interact(ui, rect, evidence.id, evidence.label, {}, {});
     tooltip(ui, {evidence.label, shown, evidence.meaning});
     if (attention.hovered) fill(rect, ui.theme.raised, ui.scale.em(0.21F));
-    const bool fine = evidence.state == State::kAccept;
+    const bool limited = std::isfinite(evidence.limit);
+    const bool fine = !limited || evidence.state == State::kAccept;
     const Colour& bar = fine ? ui.theme.text_second : colour_of(ui.theme, evidence.state);
     const Colour& number = fine ? ui.theme.text : colour_of(ui.theme, evidence.state);
 
@@ -54,6 +55,7 @@ bool evidence_row(const Ui& ui, const Rect& rect, const Evidence& evidence) {
               Align::kRight);
     draw_text(ui, static_cast<float>(unit + ui.em(0.21F)), y, FontRole::kNumberCaption,
               ui.theme.text_third, evidence.unit);
+    if (!limited) return event.clicked;
     draw_bar(ui, {bar_x, static_cast<int>(y) - ui.px(2), ui.em(5.57F), ui.px(4)}, evidence, bar);
     const std::string limit_text = (evidence.kind == LimitKind::kAtMost ? "≤ " : "≥ ") +
                                    shown_number(evidence.limit, evidence.limit_decimals);

@@ -16,7 +16,7 @@ struct Evidence {
     std::string_view unit = {};
     int decimals = 3;
     bool with_sign = false;
-    double limit = 0.0;
+    double limit = 0.0;  ///< no number: there is none, and neither bar nor shape
     int limit_decimals = 3;
     LimitKind kind = LimitKind::kAtMost;
     State state = State::kAccept;

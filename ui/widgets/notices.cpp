@@ -19,7 +19,8 @@ std::string time_text(double seconds) {
 }
 
 std::string percent_text(double part) {
-    return fmt::format("{:3.0f} %", 100.0 * std::clamp(part, 0.0, 1.0));
+    if (part < 0.0) return "  … %";
+    return fmt::format("{:3.0f} %", 100.0 * std::min(part, 1.0));
 }
 
 }  // namespace
@@ -75,7 +76,7 @@ int job_bar_width(const Ui& ui, const Job& job) {
     return name + ui.em(kBar) + ui.em(0.64F) +
            static_cast<int>(text_width(ui, FontRole::kNumberTable, "100 % ")) +
            static_cast<int>(text_width(ui, FontRole::kNumberTable, time_text(job.elapsed_s))) +
-           ui.em(0.64F) + ui.em(kCancel);
+           ui.em(0.64F) + (job.can_cancel ? ui.em(kCancel) : 0);
 }
 
 bool job_bar(const Ui& ui, int x, float y, const Job& job, int* end_x) {
@@ -98,7 +99,8 @@ bool job_bar(const Ui& ui, int x, float y, const Job& job, int* end_x) {
          ui.scale.em(0.64F);
     const Rect cancel{static_cast<int>(at), static_cast<int>(y) - ui.em(0.86F), ui.em(kCancel),
                       2 * ui.em(0.86F)};
-    if (end_x != nullptr) *end_x = cancel.right();
+    if (end_x != nullptr) *end_x = job.can_cancel ? cancel.right() : cancel.x;
+    if (!job.can_cancel) return false;
     return link(ui, cancel, std::string(job.id) + ".cancel", "Cancel", Icon::kClose);
 }
 

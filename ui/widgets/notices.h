@@ -23,8 +23,9 @@ struct Toast {
 struct Job {
     std::string_view id;    ///< "job.joint"
     std::string_view name;  ///< empty in a narrow status bar
-    double part = 0.0;      ///< 0 … 1
+    double part = 0.0;  ///< 0 … 1; below 0: unknown
     double elapsed_s = 0.0;
+    bool can_cancel = true;
 };
 
 /// In one line from `x`; returns true when Cancel was clicked. `end_x` is where it ends.
