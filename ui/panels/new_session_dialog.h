@@ -3,17 +3,15 @@
 
 #include "ui/layout/rect.h"
 #include "ui/views/request.h"
+#include "ui/views/session_wish.h"
 #include "ui/views/snapshot.h"
 #include "ui/widgets/ui.h"
 
 namespace gripscan::ui {
 
+/// Kept while the program runs. `simulated` is set from request::Show::cell_file when it is opened.
 struct NewSessionState {
-    SessionWish wish;
-    std::string folder;  ///< as it is typed
-    std::string cell_file;
-    bool simulated = true;
-    std::string fault;  ///< that is chosen to be added
+    TypedSession typed;
 };
 
 /// In the middle of `screen`, the whole window; nothing behind it takes the mouse.

@@ -25,4 +25,19 @@ void draw_value_row(const Ui& ui, const Rect& row, std::string_view label, std::
 /// A heading of a section; returns the y below it.
 int draw_section(const Ui& ui, int x, int y, std::string_view title);
 
+/// Rows of a dialog: a label, and the place of what it names.
+struct Form {
+    const Ui& ui;
+    Rect body;
+    int y;
+    float label_em = 6.5F;
+
+    Form(const Ui& the_ui, const Rect& the_body) : ui(the_ui), body(the_body), y(the_body.y) {}
+    /// Draws the label; the place is `height_em` high and has room to the right end.
+    Rect row(std::string_view label, float height_em = 2.14F);
+    /// Wrapped words below what is there; returns nothing but moves on.
+    void words(std::string_view text, const Colour& colour, bool under_label = false);
+    void gap(float height_em) { y += ui.em(height_em); }
+};
+
 }  // namespace gripscan::ui

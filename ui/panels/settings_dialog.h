@@ -9,8 +9,9 @@
 namespace gripscan::ui {
 
 struct SettingsState {
-    int tab = 0;              ///< looks, keys
+    std::size_t tab = 0;      ///< looks, keys
     std::string waiting_for;  ///< action whose new key is to be pressed
+    std::string problem;      ///< why the last key was not taken
 };
 
 /// In the middle of `screen`, the whole window; nothing behind it takes the mouse.

@@ -46,7 +46,7 @@ Request request_of(std::size_t action) {
         case 1:
             return request::Show{Dialog::kOpen};
         case 2:
-            return request::Show{Dialog::kNewSession};
+            return request::Show{Dialog::kNewSession, true};
         default:
             return request::Tour{};
     }

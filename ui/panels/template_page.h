@@ -16,8 +16,7 @@ struct TemplatePageLayout {
 [[nodiscard]] TemplatePageLayout template_page_layout(const Rect& page, Scale scale);
 
 struct TemplatePageState {
-    bool denoise = false;  ///< what "Statistical" comes back to after "Off"
-    double last_sigmas = 1.5;
+    double last_sigmas = 1.5;  ///< what "Statistical" comes back to after "Off"
 };
 
 void draw_template_column(const Ui& ui, const Rect& column, const Snapshot& snapshot,

@@ -70,6 +70,7 @@ struct Forget {  ///< a line of the recent sessions; the folder stays
 };
 struct Show {
     Dialog dialog = Dialog::kNone;  ///< none: close the one that is open
+    bool cell_file = false;         ///< kNewSession: it begins with a cell file, not the simulation
 };
 struct SelectStep {
     std::optional<std::size_t> row;  ///< of Table 1; nothing: the last

@@ -102,6 +102,7 @@ struct CellFrame {
     std::optional<double> axis_sd_rad;
     std::optional<double> axis_sd_m;
     std::optional<Pose> T_robot_camera;
+    std::optional<ControllerState> controller;  ///< as it said last
 };
 
 struct ToastView {

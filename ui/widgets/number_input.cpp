@@ -11,6 +11,7 @@
 #include "core/base/number_text.h"
 #include "ui/widgets/draw.h"
 #include "ui/widgets/interact.h"
+#include "ui/widgets/tooltip.h"
 
 namespace gripscan::ui {
 namespace {
@@ -101,13 +102,21 @@ NumberEvent number_input(const Ui& ui, const Rect& rect, const NumberSpec& spec)
     const std::string hidden = "##" + std::string(spec.id);
     const ImGuiID id = ImGui::GetID(hidden.c_str());
     const bool editing = ImGui::GetActiveID() == id;
-    if (editing) {
+    if (!spec.why_disabled.empty()) {
+        dashed_outline(ui, rect, ui.theme.line2, 3.0F, 3.0F);
+        draw_text(ui, number_right(ui, rect, spec.unit), middle_y(rect), FontRole::kNumberTable,
+                  ui.theme.text_third, shown, Align::kRight);
+        draw_unit(ui, rect, spec.unit);
+    } else if (editing) {
         draw_frame(ui, rect, InputLook::kEditing);
         draw_unit(ui, rect, spec.unit);
     } else {
         draw_input(ui, rect, shown, spec.unit, InputLook::kNormal);
     }
     const std::string typed = text_field(ui, rect, hidden, shown, editing, spec);
+    if (!spec.why_disabled.empty()) {
+        tooltip(ui, {fmt::format("{} is not possible", spec.label), {}, spec.why_disabled});
+    }
     const bool left_it = ImGui::IsItemDeactivatedAfterEdit();
     if (ImGui::GetActiveID() != id && !left_it) return {};
     if (typed == shown) return {};  // untouched, or taken back by Escape

@@ -1,0 +1,59 @@
+// What the cell page says, without drawing.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/views/snapshot.h"
+
+namespace gripscan::ui {
+
+/// A number of the plan as it is edited, in the unit of the screen.
+struct PlanField {
+    std::string_view id;  ///< "plan.angle"
+    std::string_view label;
+    std::string_view unit;
+    int decimals = 0;
+    double min = 0.0;
+    double max = 0.0;
+    double value = 0.0;
+    double standard = 0.0;
+
+    [[nodiscard]] bool changed() const { return value != standard; }
+};
+
+inline constexpr std::size_t kPlanFields = 7;
+/// Limits of a step, then its size and speed.
+[[nodiscard]] std::array<PlanField, kPlanFields> plan_fields(const TurnPlan& plan);
+/// The plan with one of them set.
+[[nodiscard]] TurnPlan with_plan_field(TurnPlan plan, std::size_t field, double value);
+/// Why they cannot be changed any more; empty: they can.
+[[nodiscard]] std::string why_plan_is_fixed(const Snapshot& snapshot);
+
+/// "connected", "not connected", with the reason where there is one.
+struct LinkText {
+    bool up = false;
+    std::string word;
+    std::string why;
+};
+[[nodiscard]] LinkText link_text(const ProcedureState* state);
+/// "AUTO, servo on, override 100 %".
+[[nodiscard]] std::string controller_text(const ControllerState& controller);
+
+/// X Y Z in mm, W P R in deg.
+[[nodiscard]] std::array<double, 6> tool_numbers(const Pose& T_world_tool);
+
+/// How the check stands: "15 of 15 passed", "2 failed: exposure, fill".
+struct CheckSummary {
+    CheckOutcome outcome = CheckOutcome::kSkipped;
+    std::string words;
+    bool can_be_accepted = false;  ///< it failed, and nobody has accepted it
+};
+[[nodiscard]] CheckSummary check_summary(const ProcedureState* state);
+
+/// A value or limit of the check: whole where it is large.
+[[nodiscard]] std::string check_number(const CellCheckItem& item, double number);
+
+}  // namespace gripscan::ui
