@@ -88,9 +88,9 @@ TEST(StepCard, ButtonsAreGreyExactlyWhereTheProcedureRefusesAndSayWhy) {
 
 TEST(StepCard, EveryEnabledButtonEmitsItsCommandOnce) {
     for (const auto& make : all_samples()) {
+        Screen page(make());
         for (const Action& a : actions()) {
             if (!a.name.starts_with("step.")) continue;
-            Screen page(make());
             const auto button = page.find(a.name);
             if (!button) continue;
             const Requests out = page.click(a.name);

@@ -25,7 +25,7 @@ TEST(Actions, HaveDifferentNamesAndDifferentKeys) {
     std::set<std::string_view> keys;
     for (const Action& a : actions()) {
         EXPECT_TRUE(names.insert(a.name).second) << a.name;
-        if (!a.key.empty()) EXPECT_TRUE(keys.insert(a.key).second) << a.key;
+        EXPECT_TRUE(a.key.empty() || keys.insert(a.key).second) << a.key;
         EXPECT_FALSE(a.label.empty()) << a.name;
         EXPECT_FALSE(a.tooltip.empty()) << a.name;
         EXPECT_NE(a.key, "Space") << "it belongs to whatever is next";
@@ -62,8 +62,8 @@ TEST(Actions, OfARecordingAreOnlyThoseThatLook) {
     Sample sample = sample_rejected();
     sample.snapshot.session->recorded = true;
     for (const Action& a : actions()) {
-        const bool refused = a.refusal(sample.snapshot).has_value();
-        if (a.name.starts_with("step.")) EXPECT_TRUE(refused) << a.name;
+        const bool commands = a.name.starts_with("step.");
+        EXPECT_TRUE(!commands || a.refusal(sample.snapshot)) << a.name;
     }
     EXPECT_FALSE(action("table.copy").refusal(sample.snapshot));
     EXPECT_EQ(next_action(sample.snapshot), nullptr);

@@ -174,7 +174,7 @@ TEST(Table, ShowsTheNumbersOfTable1Rounded) {
     for (const CellText& cell : table.rows[13].cells) texts.push_back(cell.text);
     EXPECT_THAT(texts,
                 ElementsAre("14", "1", "10.00", "9.998", "9.977", "−0.021", "0.7", "0.056", "0.09",
-                            "+0.09", "88", "0.21", "0.38", "0.62", "Free", "Accept", "140.11"));
+                            "+0.09", "88", "0.21", "0.38", "0.62", "Free", "Accept", "140.12"));
     EXPECT_EQ(table.rows[10].cells[15].shape, State::kCheck);
     ASSERT_EQ(table.last_rows.size(), 2U);
     EXPECT_EQ(table.last_rows[0].cells[3].text, "140.001");
