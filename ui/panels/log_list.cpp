@@ -156,8 +156,10 @@ void draw_log_list(const Ui& ui, const Rect& rect, const Snapshot& snapshot, Log
     const LogFilter filter{local.least, local.search.data()};
     const Rect header{rect.x, rect.y, rect.width, std::min(rect.height, ui.em(kHeader))};
     draw_header(ui, header, snapshot, local, filter, out);
-    const Rect lines{rect.x, header.bottom(), rect.width, rect.bottom() - header.bottom()};
-    if (lines.height >= ui.em(kRow)) draw_lines(ui, lines, snapshot, filter);
+    // Whole rows.
+    const int rows = (rect.bottom() - header.bottom()) / ui.em(kRow);
+    const Rect lines{rect.x, header.bottom(), rect.width, rows * ui.em(kRow)};
+    if (!lines.empty()) draw_lines(ui, lines, snapshot, filter);
 }
 
 }  // namespace gripscan::ui

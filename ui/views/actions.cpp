@@ -34,6 +34,12 @@ Why refuse(const Snapshot& s) {
 Request ask_for_note(const Snapshot&) {
     return request::Show{Dialog::kNote};
 }
+/// Never for what the procedure is doing: a hand that wants to stop finds no grey button.
+Why refuse_stop(const Snapshot& s) {
+    return s.session && s.session->recorded ? not_commanded(s, command::Stop{})
+           : s.session                      ? std::nullopt
+                                            : Why("no session is open");
+}
 /// The note is asked for afterwards.
 Why refuse_accept(const Snapshot& s) {
     return not_commanded(s, command::Accept{"note"});
@@ -106,7 +112,7 @@ const std::array kActions{
     Action{"step.halve", "Halve", "H",
            "Back by half the last step, capture, compare; later steps are halved too", kProcedure,
            give<command::Halve>, refuse<command::Halve>},
-    Action{"step.accept", "Accept…", "A", "Accept the last step on your word, with a note",
+    Action{"step.accept", "Accept", "A", "Accept the last step on your word, with a note",
            kProcedure, ask_for_note, refuse_accept},
     Action{"step.back", "Back", "B", "Give up the last view and turn back to the one before",
            kProcedure, give<command::Back>, refuse<command::Back>},
@@ -119,7 +125,7 @@ const std::array kActions{
     Action{"step.pause", "Pause", "F6", "Stop running after what is going on", kProcedure,
            give<command::Pause>, refuse<command::Pause>},
     Action{"step.stop", "Stop", "Esc", "Stop at once, the arm too. This is not a safety function",
-           kProcedure, give<command::Stop>, refuse<command::Stop>},
+           kProcedure, give<command::Stop>, refuse_stop},
     Action{"step.resume", "Resume", "F7", "Go on with what was interrupted", kProcedure,
            give<command::Resume>, refuse<command::Resume>},
     Action{"step.finish", "Finish", "F8", "Close the turn and make the template of what there is",

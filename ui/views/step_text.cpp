@@ -363,7 +363,7 @@ std::string why_step_waits(const Snapshot& s) {
         const auto step = shown_step(s);
         const int index = step ? static_cast<int>(table_of(state).size()) : 0;
         if (deciding->advice.action != AdvisedAction::kGoOn) {
-            return fmt::format("Step waits: {} is to be accepted or taken again.", index);
+            return fmt::format("Step {} is to be accepted or taken again.", index);
         }
     }
     const auto why = refusal(state, command::Step{});

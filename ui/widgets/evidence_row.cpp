@@ -45,7 +45,8 @@ bool evidence_row(const Ui& ui, const Rect& rect, const Evidence& evidence) {
     const int right = rect.right();
     const int shape = right - ui.em(0.57F);
     const int limit = right - ui.em(1.57F);
-    const int bar_x = right - ui.em(11.71F);
+    const float bar_em = rect.width < ui.em(24.0F) ? 3.29F : 5.57F;
+    const int bar_x = right - ui.em(6.14F + bar_em);
     const int unit = bar_x - ui.em(1.86F);
     draw_text(ui, static_cast<float>(rect.x), y, FontRole::kTable, ui.theme.text_second,
               fitted(ui, FontRole::kTable, evidence.label,
@@ -56,7 +57,7 @@ bool evidence_row(const Ui& ui, const Rect& rect, const Evidence& evidence) {
     draw_text(ui, static_cast<float>(unit + ui.em(0.21F)), y, FontRole::kNumberCaption,
               ui.theme.text_third, evidence.unit);
     if (!limited) return event.clicked;
-    draw_bar(ui, {bar_x, static_cast<int>(y) - ui.px(2), ui.em(5.57F), ui.px(4)}, evidence, bar);
+    draw_bar(ui, {bar_x, static_cast<int>(y) - ui.px(2), ui.em(bar_em), ui.px(4)}, evidence, bar);
     const std::string limit_text = (evidence.kind == LimitKind::kAtMost ? "≤ " : "≥ ") +
                                    shown_number(evidence.limit, evidence.limit_decimals);
     draw_text(ui, static_cast<float>(limit), y, FontRole::kNumberTable, ui.theme.text_third,
