@@ -61,42 +61,56 @@ std::string why_not(const Snapshot& snapshot, const Command& command) {
     return refusal(*snapshot.procedure, command).value_or("");
 }
 
-void draw_head(const Ui& ui, const Rect& head, const Snapshot& snapshot, Requests& out) {
-    const CheckSummary summary = check_summary(snapshot.procedure);
-    const float y = middle_of(head);
-    float x = draw_text(ui, static_cast<float>(head.x), y, FontRole::kTitle, ui.theme.text,
-                        "Cell check") +
-              ui.scale.em(1.6F);
-    const int height = ui.row(2.57F);
-    const Rect check{head.right() - ui.em(11.0F), head.y + (head.height - height) / 2, ui.em(11.0F),
-                     height};
-    const bool first = !snapshot.procedure || !snapshot.procedure->cell;
+/// Room for the words beside the buttons; else the buttons stand below them.
+bool head_in_one_row(const Ui& ui, int width) {
+    return width >= ui.em(52.0F);
+}
+
+int head_height(const Ui& ui, int width) {
+    const int buttons = ui.row(2.57F) + 2 * ui.em(0.86F);
+    return head_in_one_row(ui, width) ? buttons : buttons + ui.em(2.57F);
+}
+
+/// Returns where the buttons begin.
+int draw_head_buttons(const Ui& ui, const Rect& row, const Snapshot& snapshot, bool accepts,
+                      Requests& out) {
+    const bool first = snapshot.procedure == nullptr || !snapshot.procedure->cell;
     const std::string why = why_not(snapshot, command::CheckCell{});
+    const Rect check{row.right() - ui.em(11.0F), row.y, ui.em(11.0F), row.height};
     if (button(ui, check,
                {.id = "cell.check",
                 .label = first ? "Check the cell" : "Check again",
                 .icon = first ? Icon::kCheck : Icon::kRetry,
-                .look = first || summary.can_be_accepted ? ButtonLook::kNext : ButtonLook::kNormal,
+                .look = first || accepts ? ButtonLook::kNext : ButtonLook::kNormal,
                 .why_disabled = why})) {
         out.push_back(request::Give{command::CheckCell{}});
     }
-    int right = check.x;
-    if (summary.can_be_accepted) {
-        const std::string why_accept = why_not(snapshot, command::Accept{"a note"});
-        const Rect accept{check.x - ui.em(0.57F) - ui.em(12.0F), check.y, ui.em(12.0F), height};
-        if (button(
-                ui, accept,
-                {.id = "cell.accept", .label = "Accept with note…", .why_disabled = why_accept})) {
-            out.push_back(request::Show{Dialog::kNote});
-        }
-        right = accept.x;
+    if (!accepts) return check.x;
+    const std::string why_accept = why_not(snapshot, command::Accept{"a note"});
+    const Rect accept{check.x - ui.em(0.57F) - ui.em(11.0F), row.y, ui.em(11.0F), row.height};
+    if (button(ui, accept,
+               {.id = "cell.accept", .label = "Accept with note…", .why_disabled = why_accept})) {
+        out.push_back(request::Show{Dialog::kNote});
     }
+    return accept.x;
+}
+
+void draw_head(const Ui& ui, const Rect& head, const Snapshot& snapshot, Requests& out) {
+    const CheckSummary summary = check_summary(snapshot.procedure);
+    const int height = ui.row(2.57F);
+    const Rect buttons{head.x, head.bottom() - height - ui.em(0.86F), head.width, height};
+    const int begin = draw_head_buttons(ui, buttons, snapshot, summary.can_be_accepted, out);
+    const bool one_row = head_in_one_row(ui, head.width);
+    const float y = one_row ? middle_of(buttons) : static_cast<float>(head.y) + ui.scale.em(1.7F);
+    const int right = one_row ? begin - ui.em(0.86F) : head.right();
+    float x = draw_text(ui, static_cast<float>(head.x), y, FontRole::kTitle, ui.theme.text,
+                        "Cell check") +
+              ui.scale.em(1.6F);
     const State state = state_of(summary.outcome);
     draw_state(ui, x, y, state, 1.14F, ui.theme.panel);
     x += ui.scale.em(1.0F);
     draw_text(ui, x, y, FontRole::kText, colour_of(ui.theme, state),
-              fitted(ui, FontRole::kText, summary.words,
-                     static_cast<float>(right) - x - ui.scale.em(0.86F)));
+              fitted(ui, FontRole::kText, summary.words, static_cast<float>(right) - x));
 }
 
 void draw_unchecked(const Ui& ui, const Rect& area, const Snapshot& snapshot) {
@@ -142,8 +156,8 @@ std::size_t selected_item(const CellReport& report, const CellPageState& local) 
 void draw_check(const Ui& ui, const Rect& area, const Snapshot& snapshot, CellPageState& local,
                 Requests& out) {
     fill(area, ui.theme.panel);
-    const Rect head{area.x + ui.em(1.14F), area.y, area.width - 2 * ui.em(1.14F),
-                    ui.row(2.57F) + 2 * ui.em(0.86F)};
+    const int head_width = area.width - 2 * ui.em(1.14F);
+    const Rect head{area.x + ui.em(1.14F), area.y, head_width, head_height(ui, head_width)};
     draw_head(ui, head, snapshot, out);
     draw_separator(ui, area.x, head.bottom(), area.width);
     const Rect rest{area.x, head.bottom() + static_cast<int>(ui.scale.line()), area.width,
@@ -159,8 +173,8 @@ void draw_check(const Ui& ui, const Rect& area, const Snapshot& snapshot, CellPa
                                               {"outcome", {}, 110, false, true},
                                               {"value", {}, 76},
                                               {"limit", {}, 76},
-                                              {"unit", {}, 54, false, true, 1},
-                                              {"found", {}, 120, true, true}}};
+                                              {"unit", {}, 54, false, true},
+                                              {"found", {}, 120, true, true, 2}}};
     const int sentence = ui.em(5.6F);
     const std::size_t selected = selected_item(report, local);
     const int wanted = ui.em(1.86F) + ui.row(1.71F) * static_cast<int>(rows.size());
@@ -179,7 +193,7 @@ void draw_check(const Ui& ui, const Rect& area, const Snapshot& snapshot, CellPa
 void draw_cell_page(const Ui& ui, const Rect& rect, const Snapshot& snapshot, CellPageState& local,
                     Requests& out) {
     fill(rect, ui.theme.bg0);
-    const int width = std::min(ui.em(27.14F), rect.width / 2);
+    const int width = std::min(ui.em(27.14F), rect.width * 45 / 100);
     const int gap = ui.px(4);
     draw_check(ui, {rect.x, rect.y, rect.width - width - gap, rect.height}, snapshot, local, out);
     draw_cell_column(ui, {rect.right() - width, rect.y, width, rect.height}, snapshot, out);

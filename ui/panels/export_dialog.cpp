@@ -126,7 +126,7 @@ void draw_summary(Form& form, const Snapshot& snapshot, const ExportDialogState&
     draw_text(ui, right, y, FontRole::kNumberTable, ui.theme.text, size, Align::kRight);
     row("Will write", FontRole::kNumberTable,
         shown_count(static_cast<long long>(points)) + " points");
-    row("Then", FontRole::kTable, "read back, compare every point; a sidecar says where from");
+    row("Then", FontRole::kTable, "read back and compared; a sidecar beside it");
     row("Last export", FontRole::kTable,
         snapshot.last_export.empty() ? "none yet" : snapshot.last_export);
     form.y = box.bottom();
@@ -139,7 +139,7 @@ void draw_export_dialog(const Ui& ui, const Rect& beside, const Snapshot& snapsh
     DialogFrame frame(ui, beside,
                       {.id = "dialog.export",
                        .title = "Export template",
-                       .body_height = ui.em(29.0F),
+                       .body_height = ui.em(26.2F),
                        .modal = false});
     if (frame.appeared()) begin(snapshot, local);
     Form form(ui, frame.body());

@@ -61,7 +61,7 @@ void draw_keys_overlay(const Ui& ui, const Rect& screen, const Snapshot& snapsho
                       {.id = "dialog.keys",
                        .title = "Keys",
                        .width_em = 46.0F,
-                       .body_height = ui.em(3.2F) + std::max(left_rows, right_rows) * ui.em(kRow)});
+                       .body_height = ui.em(5.0F) + std::max(left_rows, right_rows) * ui.em(kRow)});
     if (frame.appeared()) local.search.clear();
     Form form(ui, frame.body());
     (void)text_input(ui, form.row({}),

@@ -16,7 +16,7 @@ void draw_note_dialog(const Ui& ui, const Rect& screen, const Snapshot& snapshot
     const Accepted accepted =
         accepted_by_note(snapshot.procedure != nullptr ? *snapshot.procedure : nothing);
     DialogFrame frame(ui, screen,
-                      {.id = "dialog.note", .title = accepted.title, .body_height = ui.em(13.5F)});
+                      {.id = "dialog.note", .title = accepted.title, .body_height = ui.em(11.0F)});
     if (frame.appeared()) local.note.clear();
     Form form(ui, frame.body());
     form.words(accepted.finding, ui.theme.text);

@@ -165,7 +165,6 @@ void draw_screen(const Ui& ui, int width_px, int height_px, const Snapshot& snap
     screen.dialog({0, 0, width_px, height_px});
     state.last_dialog = snapshot.dialog;
     draw_caption(ui, layout, caption);
-    if (parts.pictures) parts.pictures->forget_unused();
 }
 
 }  // namespace gripscan::ui

@@ -18,7 +18,7 @@ std::string shown_count(long long count) {
     std::string digits = fmt::format("{}", count < 0 ? -count : count);
     std::string text;
     for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) text += "\u2009";
+        if (i > 0 && (digits.size() - i) % 3 == 0) text += "\u00a0";
         text += digits[i];
     }
     return count < 0 ? "−" + text : text;

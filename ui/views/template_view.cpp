@@ -99,7 +99,7 @@ std::optional<TrustText> trust_text(const Snapshot& snapshot) {
     text.sentence = fmt::format("`{}` steps, `{}` to be checked, `{}` rejected. ", summary.steps,
                                 summary.checks, summary.rejected);
     text.sentence += report.closure_after
-                         ? fmt::format("Closed: `{:.2f}`°, `{:.2f}` mm",
+                         ? fmt::format("Closed: `{:.2f}°`, `{:.2f} mm`",
                                        deg_from_rad(report.closure_after->angle_rad),
                                        report.closure_after->shift_m * kMmPerM)
                          : "Not closed.";

@@ -77,7 +77,7 @@ std::string text_field(const Ui& ui, const Rect& rect, const std::string& id,
 
 NumberEvent typed_number(std::string_view text, const NumberSpec& spec) {
     std::string plain = replaced(std::string(text), "−", "-");
-    plain = replaced(replaced(plain, "\u2009", ""), ",", ".");
+    plain = replaced(replaced(replaced(plain, "\u2009", ""), "\u00a0", ""), ",", ".");
     if (!spec.unit.empty() && plain.ends_with(spec.unit)) {
         plain.resize(plain.size() - spec.unit.size());
     }

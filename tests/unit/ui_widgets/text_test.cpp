@@ -23,8 +23,8 @@ TEST(ShownNumber, HasATrueMinusAndFixedDecimals) {
 TEST(ShownCount, PartsThousands) {
     EXPECT_EQ(shown_count(0), "0");
     EXPECT_EQ(shown_count(999), "999");
-    EXPECT_EQ(shown_count(412870), "412\u2009870");
-    EXPECT_EQ(shown_count(-1234567), "−1\u2009234\u2009567");
+    EXPECT_EQ(shown_count(412870), "412\u00a0870");
+    EXPECT_EQ(shown_count(-1234567), "−1\u00a0234\u00a0567");
 }
 
 TEST(Fitted, CutsWholeLettersAndNeverExceedsTheWidth) {
