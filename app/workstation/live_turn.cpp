@@ -71,10 +71,10 @@ Status LiveTurn::begin(const TurnRunOptions& options, const Progress& progress) 
     viewers.prepared = [this](const RecordedCapture& capture, const PreparedCapture& prepared) {
         seen_.add(capture, prepared);
     };
-    viewers.progress = [this, report = progress.report](std::string_view stage, std::size_t done,
-                                                        std::size_t total) {
-        if (report) report(stage, done, total);
+    opening_ = progress.report;
+    viewers.progress = [this](std::string_view stage, std::size_t done, std::size_t total) {
         const std::lock_guard lock(mutex_);
+        if (opening_) opening_(stage, done, total);
         stage_ = stage;
         part_ = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : -1.0;
     };
@@ -86,6 +86,11 @@ Status LiveTurn::begin(const TurnRunOptions& options, const Progress& progress) 
     auto run = TurnRun::open(options, std::move(viewers), progress.stop);
     if (!run) return forward_error(run.error());
     run_ = std::move(*run);
+    {
+        // The job that opened the turn ends here; what goes on later is the turn's own.
+        const std::lock_guard lock(mutex_);
+        opening_ = nullptr;
+    }
     run_->engine().on_event(wake_);
     live_->start(run_->camera());
     return {};

@@ -48,6 +48,7 @@ class LiveTurn {
     std::shared_ptr<const ComputedTurn> solved_;  ///< the latest
     std::optional<RobotReading> beat_;            ///< the latest reading of the heartbeat
     std::optional<JointAngles> looked_at_;        ///< joints at the latest live picture
+    decltype(Progress::report) opening_;          ///< the job's, while the turn is opened
     double part_ = -1.0;                          ///< of the work that goes on
     std::string stage_;
     StepClock clock_;

@@ -22,6 +22,10 @@ std::string percent(double share, int decimals = 0) {
 FactState within(bool good) {
     return good ? FactState::kGood : FactState::kWarning;
 }
+/// Of a number that may not have been measured: live images are not matched.
+FactState within(double value, bool good) {
+    return std::isfinite(value) ? within(good) : FactState::kNone;
+}
 
 StereoFact mean_fact(const StereoHealth& left, const std::optional<StereoHealth>& right) {
     StereoFact fact{"Mean level", shown_number(left.mean_intensity, 0), {}, "equal", {}, {}};
@@ -45,7 +49,7 @@ StereoFact fill_fact(const StereoHealth& left) {
             percent(left.fill),
             {},
             fmt::format("≥ {}", shown_number(limit, 0)),
-            within(100.0 * left.fill >= limit),
+            within(left.fill, 100.0 * left.fill >= limit),
             "Share of the textured pixels in the registration area that have a depth there."};
 }
 
@@ -66,7 +70,7 @@ StereoFact row_error_fact(const StereoHealth& left) {
             shown_number(left.row_error_px, 2),
             {},
             fmt::format("≤ {}", shown_number(kRowError_px, 2)),
-            within(std::abs(left.row_error_px) <= kRowError_px),
+            within(left.row_error_px, std::abs(left.row_error_px) <= kRowError_px),
             "Median vertical shift between the images. More means that the cameras have moved "
             "since they were calibrated."};
 }

@@ -48,7 +48,17 @@ void tooltip(const Ui& ui, const TooltipText& text) {
                                       text_width(ui, FontRole::kNumberTable, text.value) + 28.0F,
                                   text_width(ui, FontRole::kSmall, text.text)) +
                          2.0F * ui.scale.em(0.86F);
-    const int width = std::min(widest, static_cast<int>(wanted) + 1);
+    // A long title alone makes it wider than a text would.
+    const float title = text_width(ui, FontRole::kPanelTitle, text.title) +
+                        2.0F * ui.scale.em(0.86F) + 28.0F;
+    const int width = std::max(std::min(widest, static_cast<int>(wanted) + 1),
+                               text.value.empty() ? static_cast<int>(title) : 0);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 mouse = ImGui::GetMousePos();
+    // Beside the mouse, and inside the window.
+    const float room_x = screen.x - static_cast<float>(width) - ui.scale.em(1.5F);
+    ImGui::SetNextWindowPos({std::max(0.0F, std::min(mouse.x + ui.scale.em(1.0F), room_x)),
+                             mouse.y + ui.scale.em(1.4F)});
     ImGui::BeginTooltip();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const int height =
