@@ -71,6 +71,9 @@ struct ScriptPlayer::Play {
         pending.emplace_back([] {});
         pending.emplace_back([button] { ImGui::GetIO().MouseDown[button] = true; });
         pending.emplace_back([button] { ImGui::GetIO().MouseDown[button] = false; });
+        // What it asked for shows in the frame after.
+        pending.emplace_back([] {});
+        pending.emplace_back([] {});
         return true;
     }
 
@@ -92,6 +95,8 @@ struct ScriptPlayer::Play {
         };
         self.pending_.emplace_back([set] { set(true); });
         self.pending_.emplace_back([set] { set(false); });
+        self.pending_.emplace_back([] {});
+        self.pending_.emplace_back([] {});
         return true;
     }
     bool operator()(const script::Type& s) const {
@@ -103,7 +108,7 @@ struct ScriptPlayer::Play {
         const auto rect = ready(s.id);
         if (!rect) return false;
         if (!press(s.id, ImGuiMouseButton_Left)) return false;
-        self.pending_.pop_back();
+        for (int i = 0; i < 3; ++i) self.pending_.pop_back();
         constexpr int kFrames = 12;
         ScriptPlayer* player = &self;
         for (int i = 1; i <= kFrames; ++i) {
