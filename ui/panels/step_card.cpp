@@ -66,7 +66,7 @@ struct Card {
         if (rows.empty()) return advice_in(y, bottom);
         y += ui.em(0.36F);
         const int count = static_cast<int>(rows.size());
-        const int height = std::clamp((bottom - y) / count, ui.em(1.43F), ui.em(1.64F));
+        const int height = std::clamp((bottom - y) / count, ui.em(1.29F), ui.em(1.64F));
         for (const EvidenceText& e : rows) {
             if (y + height > bottom) break;
             (void)evidence_row(

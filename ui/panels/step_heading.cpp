@@ -36,7 +36,11 @@ int draw_step_heading(const Ui& ui, int x, int y, int width, const Snapshot& sna
     draw_closure_dial(
         ui, {x, y, side, side},
         {dial.turned_deg, dial.next_deg, dial.refused_deg, dial.robot_deg, dial.whole_deg});
-    const StepHeading heading = heading_of(snapshot);
+    StepHeading heading = heading_of(snapshot);
+    // In a small window there is room for three lines: the expected error goes.
+    if (detail.full_right_column && heading.lines.size() > 3) {
+        heading.lines.erase(heading.lines.begin() + 2);
+    }
     const int left = x + side + ui.em(1.21F);
     const int lines = static_cast<int>(heading.lines.size());
     const int block = ui.em(kTitle) + lines * ui.em(kLine);

@@ -255,10 +255,11 @@ DialText dial_of(const Snapshot& s) {
     if (used.empty()) return dial;
     const CaptureRecord& first = state.data.captures[used.front()];
     const CaptureRecord& last = state.data.captures[used.back()];
-    double turned_rad = last.commanded_rad;
     const auto rows = table_of(state);
-    if (!rows.empty() && rows.back().row.to == last.index &&
-        rows.back().row.verdict == Verdict::kReject) {
+    // A view that is not compared yet has not turned anything.
+    const CaptureRecord* compared = rows.empty() ? &first : state.data.find(rows.back().row.to);
+    double turned_rad = compared != nullptr ? compared->commanded_rad : last.commanded_rad;
+    if (!rows.empty() && rows.back().row.verdict == Verdict::kReject) {
         const double refused_rad = rows.back().row.commanded_rad.value_or(0.0);
         dial.refused_deg = deg_from_rad(refused_rad);
         turned_rad -= refused_rad;

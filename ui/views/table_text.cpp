@@ -226,7 +226,7 @@ RowText sum_row(const Table1& table, const Snapshot& s, TableView view) {
     const ProcedureState& state = *s.procedure;
     const DialText dial = dial_of(s);
     row.cells[at.decision] = {
-        fmt::format("{} of {} steps, {}° to go", table_of(state).size(), steps_planned(state),
+        fmt::format("{} of {}, {}° to go", table_of(state).size(), steps_planned(state),
                     shown_number(dial.whole_deg - dial.turned_deg, 2)),
         Emphasis::kSecond};
     return row;
@@ -248,7 +248,7 @@ std::string closure_sentence(const Table1& table, const Snapshot& s) {
     }
     if (known == 0 || table.rows.empty()) return "known at 360°";
     const double whole = variance_deg2 / static_cast<double>(known) * steps_planned(*s.procedure);
-    return fmt::format("known at 360°, expected ±{}°", shown_number(std::sqrt(whole), 2));
+    return fmt::format("expected ±{}° at 360°", shown_number(std::sqrt(whole), 2));
 }
 
 RowText closure_row(const Table1& table, const Snapshot& s, TableView view) {

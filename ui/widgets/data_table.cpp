@@ -119,8 +119,13 @@ void draw_header(const Ui& ui, const Rect& rect, std::span<const Placed> placed,
         const Placed& at = placed[k];
         const TableColumn& column = spec.columns[at.index];
         if (k == 0 || at.begins_group) {
+            std::size_t next = k + 1;
+            while (next < placed.size() && !placed[next].begins_group) ++next;
+            const int end = next < placed.size() ? placed[next].x : rect.right();
             draw_text(ui, static_cast<float>(at.x) + pad, group_y, FontRole::kCaption,
-                      ui.theme.text_third, column.group);
+                      ui.theme.text_third,
+                      fitted(ui, FontRole::kCaption, column.group,
+                             static_cast<float>(end - at.x) - 1.5F * pad));
         }
         draw_text(
             ui,
