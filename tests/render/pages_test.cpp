@@ -236,7 +236,7 @@ TEST(SettingsLook, LooksAndKeys) {
     local.tab = 1;
     dialog({"settings-keys-dark_100", 640, 460}, draw);
     ui::KeysOverlayState overlay;
-    dialog({"keys-dark_100", 740, 480}, [&](const Ui& ui, const Rect& rect, Requests& out) {
+    dialog({"keys-dark_100", 740, 540}, [&](const Ui& ui, const Rect& rect, Requests& out) {
         draw_keys_overlay(ui, rect, snapshot, overlay, out);
     });
 }
