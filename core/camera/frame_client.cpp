@@ -29,7 +29,8 @@ Status FrameClient::open() {
                                              deadline_in(settings_.connect_within));
     if (!connection) return device_error("camera: {}", connection.error().message);
     auto link = std::make_unique<Link>(Link{frames::FrameChannel(std::move(*connection))});
-    const auto first = link->channel.read(deadline_in(settings_.connect_within));
+    // The server may still be at work on a picture for someone who has gone.
+    const auto first = link->channel.read(deadline_in(settings_.answer_within));
     if (!first) {
         return device_error("camera at {}:{} does not greet: {}", settings_.host, settings_.port,
                             first.error().message);

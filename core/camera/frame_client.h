@@ -13,7 +13,8 @@ struct FrameClientSettings {
     std::string host = "127.0.0.1";
     std::uint16_t port = 18742;
     std::chrono::milliseconds connect_within{3000};
-    std::chrono::milliseconds answer_within{30000};  ///< a picture: rendering takes a while
+    /// A picture: rendering takes a while. A greeting: one client is served at a time.
+    std::chrono::milliseconds answer_within{30000};
 };
 
 /// Not for several threads at once. A lost connection is opened again by the next grab().

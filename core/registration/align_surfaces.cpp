@@ -69,8 +69,7 @@ std::vector<Candidate> finals(const Surface& source, const Surface& target,
     if (candidates.size() > kFinalists) candidates.resize(kFinalists);
     const auto source_sample = spread_sample(source, settings.coarse_points);
     const auto target_sample = spread_sample(target, settings.coarse_points);
-    const double tolerance_m = std::max(0.02 * std::max(source.radius_m, target.radius_m),
-                                        2.0 * std::max(source.spacing_m, target.spacing_m));
+    const double tolerance_m = rough_tolerance_m(source, target);
     for_each(candidates.size(), [&](std::size_t i) {
         Candidate& c = candidates[i];
         c.T_target_source =

@@ -50,8 +50,8 @@ Result<std::optional<AxisEstimate>> axis_for_lock(std::span<const CaptureFacts> 
     std::optional<AxisEstimate> start = free ? free : settings.known_axis;
     if (!start) start = axis_of_revolution(views, usable, settings);
     if (!start || usable.size() < 2) return start;
-    const auto solution =
-        solve_jointly(joint_views(facts, views, usable, {}), start->axis, {}, progress, for_each);
+    const auto solution = solve_jointly(joint_views(facts, views, usable, {}), start->axis,
+                                        joint_settings(facts), progress, for_each);
     if (!solution) return forward_error(solution.error());
     return std::optional<AxisEstimate>(solution->axis);
 }

@@ -72,6 +72,17 @@ void look_for_unexplained(const TurnStep& step, const StepEnd& from, const StepE
     evidence.unexplained_limit_m2 = kMostUnexplained * radius_m * radius_m;
 }
 
+/// Needs no alignment: it tells why there is none.
+void look_as_reported(const TurnStep& step, const StepEnd& from, const StepEnd& to,
+                      const std::optional<AxisEstimate>& axis, const TurnSettings& settings,
+                      StepEvidence& evidence) {
+    const auto reported = reported_rad(step);
+    if (!axis || !reported) return;
+    evidence.as_reported =
+        agreement_at(from.view.surface, to.view.surface, turn_about(axis->axis, *reported),
+                     settings.align.coarse_points);
+}
+
 void take_image_fault(const StepEnd& from, const StepEnd& to, StepEvidence& evidence) {
     for (const StepEnd* end : {&to, &from}) {
         if (!end->fault) continue;
@@ -96,7 +107,8 @@ TurnStep measured_step(const StepEnd& from, const StepEnd& to, const StepFinding
 }
 
 DiagnosedStep diagnosed_step(const StepEnd& from, const StepEnd& to, const StepFinding& finding,
-                       const std::optional<AxisEstimate>& axis, const TurnSettings& settings) {
+                             const std::optional<AxisEstimate>& axis,
+                             const TurnSettings& settings) {
     DiagnosedStep judged;
     judged.step = measured_step(from, to, finding, settings);
     auto lost = without_alignment(from.facts, from.view);
@@ -115,6 +127,7 @@ DiagnosedStep diagnosed_step(const StepEnd& from, const StepEnd& to, const StepF
     if (is_locked && alignment.found) judged.evidence.misfit = alignment.misfit;
     take_image_fault(from, to, judged.evidence);
     if (usable && settings.method == TurnMethod::kTurn) {
+        look_as_reported(judged.step, from, to, axis, settings, judged.evidence);
         look_for_unexplained(judged.step, from, to, axis, settings, judged.evidence);
     }
     diagnose_step(judged.step, judged.evidence, settings.limits);

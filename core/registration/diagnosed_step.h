@@ -32,9 +32,9 @@ struct DiagnosedStep {
 /// The whole row: compared with the axis, looked at for what is not explained, diagnosed; the
 /// operator's note overrules. Without an axis the step speaks for itself.
 [[nodiscard]] DiagnosedStep diagnosed_step(const StepEnd& from, const StepEnd& to,
-                                     const StepFinding& finding,
-                                     const std::optional<AxisEstimate>& axis,
-                                     const TurnSettings& settings);
+                                           const StepFinding& finding,
+                                           const std::optional<AxisEstimate>& axis,
+                                           const TurnSettings& settings);
 
 /// Of every view that has images, against those of the others.
 [[nodiscard]] std::vector<std::optional<ImageFault>> image_faults(

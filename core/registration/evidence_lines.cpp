@@ -84,7 +84,8 @@ void add_joints(Lines& lines, const StepEvidence& evidence) {
               "{:.3f} deg", deg_from_rad(evidence.other_joints_moved_rad));
 }
 
-void add_witnesses(Lines& lines, const StepEvidence& evidence) {
+void add_witnesses(Lines& lines, const TurnStep& step, const StepEvidence& evidence,
+                   const TurnLimits& limits) {
     const std::string camera_limit = fmt::format("{:.2f} px", kMostCameraShift_px);
     if (evidence.camera_shift) {
         const CameraShift& shift = *evidence.camera_shift;
@@ -93,6 +94,13 @@ void add_witnesses(Lines& lines, const StepEvidence& evidence) {
                   100.0 * shift.agreeing);
     } else {
         lines.unknown("background", camera_limit);
+    }
+    if (evidence.as_reported) {
+        lines.add("shared if the robot is right",
+                  step.cause == Cause::kOverlap && step_too_large(evidence, limits),
+                  fmt::format("at least {:.0f} %", 100.0 * limits.overlap),
+                  "{:.0f} %, and {:.0f} % floats", 100.0 * evidence.as_reported->matched,
+                  100.0 * evidence.as_reported->contradicted);
     }
     const std::string area_limit = fmt::format("{:.0f} mm2", mm2(evidence.unexplained_limit_m2));
     const double area_m2 = evidence.unexplained ? evidence.unexplained->area_m2 : 0.0;
@@ -111,7 +119,7 @@ std::vector<EvidenceLine> evidence_lines(const TurnStep& step, const StepEvidenc
     add_numbers(lines, step, limits);
     add_observability(lines, step, evidence);
     add_joints(lines, evidence);
-    add_witnesses(lines, evidence);
+    add_witnesses(lines, step, evidence, limits);
     return lines.take();
 }
 

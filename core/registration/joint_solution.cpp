@@ -235,11 +235,14 @@ Result<JointSolution> solve_jointly(std::span<const JointView> views, const Axis
         if (progress.cancelled()) return cancelled_error();
         progress.tell("joint solution", i, rounds.size() + 1);
         terms = solver.measure(state, rounds[i]);
-        for (int step = 0; step < kSteps; ++step) solver.improve(state, terms, true);
+        for (int step = 0; step < kSteps; ++step) {
+            solver.improve(state, terms, !settings.scale_known);
+        }
     }
     JointSolution solution;
     solution.scale_sigma = std::max(state.scale_sigma, kScaleFloor);
-    solution.scale_estimated = std::abs(state.scale - 1.0) > 3.0 * solution.scale_sigma;
+    solution.scale_estimated =
+        !settings.scale_known && std::abs(state.scale - 1.0) > 3.0 * solution.scale_sigma;
     if (!solution.scale_estimated) state.scale = 1.0;
     // Once more where the poses have come to.
     for (int step = 0; step < kSteps; ++step) {

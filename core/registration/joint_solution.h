@@ -26,6 +26,7 @@ struct JointSettings {
     int neighbours = 6;                ///< at most so many on each side
     double sigma_off_axis_rad = 2e-4;  ///< how exactly the arm turns about one line: its wobble
     double sigma_shift_m = 3e-5;       ///< and its repeatability
+    bool scale_known = false;          ///< 1: nothing of the scale is estimated
 };
 
 struct JointSolution {

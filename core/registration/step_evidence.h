@@ -8,6 +8,7 @@
 #include "core/registration/image_health.h"
 #include "core/registration/unexplained.h"
 #include "core/registration/verdict.h"
+#include "core/registration/visibility.h"
 
 namespace gripscan {
 
@@ -29,6 +30,8 @@ struct StepEvidence {
     double other_joints_moved_rad = 0.0;  ///< largest change of J1 … J5
     bool paper_icp = false;               ///< no uncertainty, no observability
     std::optional<double> misfit;  ///< axis-locked: residuals against the noise, 1 = as expected
+    /// What the views share if the part turned as the robot says, however that was aligned.
+    std::optional<Agreement> as_reported;
     std::optional<CameraShift> camera_shift;
     /// What one view shows and the other should have seen.
     std::optional<Unexplained> unexplained;

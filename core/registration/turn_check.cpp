@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/base/units.h"
@@ -82,38 +83,55 @@ Criterion misfit_criterion(const StepEvidence& evidence) {
                         *evidence.misfit, kMostMisfit)};
 }
 
-bool reject(TurnStep& step, Cause cause, std::string sentence) {
-    step.verdict = Verdict::kReject;
-    step.cause = cause;
-    step.sentence = std::move(sentence);
-    return true;
-}
-
-/// What makes the estimate worthless whatever its numbers say.
-bool not_usable(TurnStep& step, const StepEvidence& evidence) {
+/// What makes the estimate worthless whatever its numbers say; nothing: it may be worth something.
+std::optional<Criterion> no_answer(const TurnStep& step, const StepEvidence& evidence) {
+    const auto because = [](Cause cause, std::string sentence) {
+        return std::optional(Criterion{0.0, cause, std::move(sentence)});
+    };
     if (!evidence.found) {
-        return reject(step, evidence.cause_not_found,
-                      evidence.why_not_found.empty() ? "no alignment of the two clouds was found"
+        return because(evidence.cause_not_found, evidence.why_not_found.empty()
+                                                     ? "no alignment of the two clouds was found"
                                                      : evidence.why_not_found);
     }
     // Locked to the axis, the turn is the robot's: neither sigma nor observability are asked.
-    if (evidence.paper_icp || step.mode == TurnMode::kAxisLocked) return false;
+    if (evidence.paper_icp || step.mode == TurnMode::kAxisLocked) return std::nullopt;
     if (step.sigma_rad && !(*step.sigma_rad < kLargestSigma_rad)) {
-        return reject(step, Cause::kNotConverged,
-                      fmt::format("the turn is known to {:.1f} deg only, which decides nothing",
-                                  deg_from_rad(*step.sigma_rad)));
+        return because(Cause::kNotConverged,
+                       fmt::format("the turn is known to {:.1f} deg only, which decides nothing",
+                                   deg_from_rad(*step.sigma_rad)));
     }
     if (step.observability && !(*step.observability >= evidence.least_observability)) {
-        return reject(step, Cause::kSymmetry,
-                      fmt::format("the surface does not show this turn (observability {:.2f}, "
-                                  "least {:.2f}): it looks the same all around the axis",
-                                  *step.observability, evidence.least_observability));
+        return because(Cause::kSymmetry,
+                       fmt::format("the surface does not show this turn (observability {:.2f}, "
+                                   "least {:.2f}): it looks the same all around the axis",
+                                   *step.observability, evidence.least_observability));
     }
     if (!evidence.starts_agree) {
-        return reject(step, Cause::kSymmetry,
-                      "different starts end in different poses that fit equally well");
+        return because(Cause::kSymmetry,
+                       "different starts end in different poses that fit equally well");
     }
-    return false;
+    return std::nullopt;
+}
+
+/// Views that share little show neither a pose nor a symmetry.
+void explain_by_overlap(Criterion& why, const StepEvidence& evidence, const TurnLimits& limits) {
+    const bool open = why.cause == Cause::kNotConverged || why.cause == Cause::kSymmetry;
+    if (!open || !step_too_large(evidence, limits)) return;
+    why.cause = Cause::kOverlap;
+    why.sentence = fmt::format(
+        "turned as the robot says, the views share {:.0f} % of the surface, limit {:.0f} %: the "
+        "step is too large; {}",
+        100.0 * evidence.as_reported->matched, 100.0 * limits.overlap, why.sentence);
+}
+
+bool not_usable(TurnStep& step, const StepEvidence& evidence, const TurnLimits& limits) {
+    auto why = no_answer(step, evidence);
+    if (!why) return false;
+    explain_by_overlap(*why, evidence, limits);
+    step.verdict = Verdict::kReject;
+    step.cause = why->cause;
+    step.sentence = std::move(why->sentence);
+    return true;
 }
 
 void say_locked(TurnStep& step, const StepEvidence& evidence) {
@@ -130,9 +148,14 @@ double angle_limit_rad(const TurnStep& step, const TurnLimits& limits) {
     return std::max(limits.angle_rad, limits.sigmas * step.sigma_rad.value_or(0.0));
 }
 
+bool step_too_large(const StepEvidence& evidence, const TurnLimits& limits) {
+    return evidence.as_reported && evidence.as_reported->matched < limits.overlap &&
+           evidence.as_reported->contradicted <= kMostFloating;
+}
+
 void judge_step(TurnStep& step, const StepEvidence& evidence, const TurnLimits& limits) {
     step.cause = Cause::kNone;
-    if (not_usable(step, evidence)) return;
+    if (not_usable(step, evidence, limits)) return;
     const std::array<Criterion, 5> criteria{
         angle_criterion(step, evidence, limits), overlap_criterion(step, limits),
         slip_criterion(step, limits), tilt_criterion(step, limits), misfit_criterion(evidence)};

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/units.h"
+#include "core/registration/axis_lock.h"
 #include "core/registration/turn_rows.h"
 
 namespace gripscan {
@@ -14,6 +15,8 @@ namespace {
 constexpr double kReadingSigma_rad = 0.02 * kRadPerDeg;
 constexpr double kCommandSigma_rad = 0.05 * kRadPerDeg;
 constexpr double kUnknownSigma_rad = 1.0;
+/// Of a view that is locked to the axis: its angle is the robot's, and the surfaces have no say.
+constexpr double kLockedSigma_rad = 1e-6;
 
 /// The steps from view `first` to view `last`, composed.
 Pose composed(const TurnReport& report, std::size_t first, std::size_t last) {
@@ -52,6 +55,12 @@ std::optional<double> whole_turn_rad(const TurnReport& report, double step_rad) 
 
 }  // namespace
 
+JointSettings joint_settings(std::span<const CaptureFacts> facts) {
+    JointSettings settings;
+    settings.scale_known = any_locked(facts);
+    return settings;
+}
+
 std::vector<JointView> joint_views(std::span<const CaptureFacts> facts,
                                    std::span<const PreparedView* const> views,
                                    std::span<const std::size_t> members,
@@ -68,6 +77,7 @@ std::vector<JointView> joint_views(std::span<const CaptureFacts> facts,
             if (joint || command) {
                 angle_rad += joint ? *joint : *command;
                 if (!joint) sigma_rad = kCommandSigma_rad;
+                if (facts[v].mode == TurnMode::kAxisLocked) sigma_rad = kLockedSigma_rad;
             } else {
                 for (std::size_t i = before; i < std::min(v, steps.size()); ++i) {
                     angle_rad += steps[i].icp_rad.value_or(0.0);
@@ -88,7 +98,7 @@ Status solve_poses(std::span<const CaptureFacts> facts, std::span<const Prepared
         settings.method == TurnMethod::kTurn && report.axis && chain.trusted.size() > 2;
     if (jointly) {
         auto solution = solve_jointly(joint_views(facts, views, chain.trusted, report.steps),
-                                      report.axis->axis, {}, progress, for_each);
+                                      report.axis->axis, joint_settings(facts), progress, for_each);
         if (!solution) return forward_error(std::move(solution.error()));
         report.axis = solution->axis;
         if (solution->scale_estimated) report.angle_scale = solution->scale;
@@ -109,7 +119,10 @@ bool spans_whole_turn(double step_rad, const TurnReport& report) {
 
 void set_closures(double step_rad, TurnReport& report) {
     const auto nominal_rad = whole_turn_rad(report, step_rad);
-    if (!report.axis || !nominal_rad) return;
+    const bool measured =
+        std::none_of(report.steps.begin(), report.steps.end(),
+                     [](const TurnStep& step) { return step.mode == TurnMode::kAxisLocked; });
+    if (!report.axis || !nominal_rad || !measured) return;
     const Axis& axis = report.axis->axis;
     report.closure_before =
         closure_of(composed(report, 0, report.steps.size()), axis, *nominal_rad);

@@ -13,8 +13,13 @@
 
 namespace gripscan {
 
+/// A surface that does not show its turn shows no ratio of the robot's either: with a locked step
+/// the scale is known.
+[[nodiscard]] JointSettings joint_settings(std::span<const CaptureFacts> facts);
+
 /// The turn of every member (places among the views, rising) since the first of them as reported;
-/// where nothing was reported, as the steps say, loosely held.
+/// where nothing was reported, as the steps say, loosely held; where the step is locked to the
+/// axis, exactly as reported.
 [[nodiscard]] std::vector<JointView> joint_views(std::span<const CaptureFacts> facts,
                                                  std::span<const PreparedView* const> views,
                                                  std::span<const std::size_t> members,
@@ -31,8 +36,9 @@ namespace gripscan {
 /// Do the steps make a whole turn, to half a step?
 [[nodiscard]] bool spans_whole_turn(double step_rad, const TurnReport& report);
 
-/// Closure of the steps and of the poses where the steps make a whole turn to half a step. Shifts
-/// are those of the axis point of the report.
+/// Closure of the steps and of the poses where the steps make a whole turn to half a step and all
+/// of them were measured: with one locked to the axis a turn closes because the robot says so.
+/// Shifts are those of the axis point of the report.
 void set_closures(double step_rad, TurnReport& report);
 
 }  // namespace gripscan

@@ -106,4 +106,22 @@ Agreement agreement(const Surface& source, const Surface& target, const DepthMap
     return result;
 }
 
+Agreement agreement_at(const Surface& source, const Surface& target, const Pose& T_target_source,
+                       std::size_t points) {
+    std::optional<DepthMap> source_map;
+    std::optional<DepthMap> target_map;
+    if (source.viewpoint) source_map.emplace(source);
+    if (target.viewpoint) target_map.emplace(target);
+    const auto source_sample = spread_sample(source, points);
+    const auto target_sample = spread_sample(target, points);
+    return agreement(source, target, source_map ? &*source_map : nullptr,
+                     target_map ? &*target_map : nullptr, source_sample, target_sample,
+                     T_target_source, rough_tolerance_m(source, target));
+}
+
+double rough_tolerance_m(const Surface& source, const Surface& target) {
+    return std::max(0.02 * std::max(source.radius_m, target.radius_m),
+                    2.0 * std::max(source.spacing_m, target.spacing_m));
+}
+
 }  // namespace gripscan

@@ -48,5 +48,10 @@ struct Agreement {
                                   std::span<const std::uint32_t> source_sample,
                                   std::span<const std::uint32_t> target_sample,
                                   const Pose& T_target_source, double tolerance_m);
+/// Of so many points of each, spread over it; the tolerance is what a rough pose may miss.
+[[nodiscard]] Agreement agreement_at(const Surface& source, const Surface& target,
+                                     const Pose& T_target_source, std::size_t points);
+/// A partner of a point may be this far away while the pose is rough.
+[[nodiscard]] double rough_tolerance_m(const Surface& source, const Surface& target);
 
 }  // namespace gripscan

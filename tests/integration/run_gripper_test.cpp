@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "core/session/journal_file.h"
 #include "core/session/session.h"
@@ -51,6 +53,42 @@ TEST(RunGripper, RecordsAndComputesAWholeTurnInTheSimulatedCell) {
     EXPECT_EQ(second.status, 2);
     EXPECT_THAT(second.err, HasSubstr("never overwritten"));
     EXPECT_EQ(content_of(session), before);
+}
+
+double turned_deg(const nlohmann::json& pose) {
+    const auto at = [&](std::size_t i) { return pose[i].get<double>(); };
+    const double cosine = 0.5 * (at(0) + at(5) + at(10) - 1.0);
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
+}
+
+/// Nothing of a cylinder shows its turn: it is said, the rest is completed with the robot's angles
+/// about the axis of the surface, and no row claims to be a measurement.
+TEST(RunGripper, ASymmetricGripperIsCompletedByAxisAndRobot) {
+    const TemporaryFolder folder;
+    const auto result =
+        run_program({"run", "gripper", "--cell", "sim", "--gripper-model", "cylinder", "--step-deg",
+                     "30", "--seed", "2", "--out", (folder / "s").string(), "--json"});
+    EXPECT_EQ(result.status, 1) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("looks the same all around the axis"));
+    EXPECT_THAT(result.err, HasSubstr("cause=symmetry action=lock the axis"));
+    const auto json = result.json();
+    ASSERT_EQ(json["steps"].size(), 12u);
+    for (const auto& step : json["steps"]) {
+        EXPECT_EQ(step["mode"], "axis-locked");
+        EXPECT_EQ(step["independent"], false);
+        EXPECT_EQ(step["verdict"], "check") << step["sentence"];
+        EXPECT_EQ(step["cause"], "symmetry");
+    }
+    EXPECT_TRUE(json["closure"].is_null()) << "the robot's word is no closure";
+    EXPECT_GT(json["template"]["points"].get<int>(), 10000);
+    double expected_deg = 0.0;
+    for (const auto& pose : json["poses"]) {
+        if (pose.is_null()) continue;  // taken before the lock
+        const double short_way_deg = std::min(expected_deg, 360.0 - expected_deg);
+        EXPECT_NEAR(turned_deg(pose), short_way_deg, 0.1);
+        expected_deg += 30.0;
+    }
+    EXPECT_EQ(expected_deg, 390.0) << "thirteen views";
 }
 
 TEST(RunGripper, StopsCleanlyOnCtrlCAndKeepsWhatItRecorded) {

@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # Kills gripper registrations at random moments, resumes them, and compares what they end with.
+# A moment is an entry of the journal, any of those that the undisturbed run wrote, and some time
+# after it: however busy the machine is, every part of a run is hit.
 # usage: tests/tools/kill_and_resume.sh OUT [RUNS] [STEP_DEG] [SEED]
 # RUNS (default 30) with the cell in the killed process, and as many with `gripscan simcell` living
 # on in its own. Ends with status 0 if every run ends as the undisturbed one did: the same status and
@@ -51,6 +53,18 @@ whole_ms=$(($(date +%s%3N) - begin_ms))
 echo "undisturbed: status $wanted, $whole_ms ms"
 [[ -s $out/undisturbed/results/template.pcd ]] || { echo "it made no template" >&2; exit 2; }
 
+entries=$(wc -l <"$out/undisturbed/journal")
+
+# lines FILE: how many it has; 0 before there is one
+lines() {
+    if [[ -e $1 ]]; then wc -l <"$1"; else echo 0; fi
+}
+
+# draw BELOW: a random number, in `drawn`; a subshell would draw the same one every time
+draw() {
+    drawn=$(((RANDOM * 32768 + RANDOM) % $1))
+}
+
 failed=0
 for i in $(seq "$runs"); do
     for kind in in own; do
@@ -60,8 +74,13 @@ for i in $(seq "$runs"); do
         # The program itself, not a shell that runs it: it is what has to die.
         "${call[@]}" >/dev/null 2>&1 &
         pid=$!
-        after_ms=$((RANDOM * 32768 + RANDOM))
-        after_ms=$((after_ms % whole_ms))
+        draw "$entries"
+        after=$drawn
+        while (($(lines "$session/journal") < after)) && kill -0 "$pid" 2>/dev/null; do
+            sleep 0.01
+        done
+        draw $((2 * whole_ms / entries))
+        after_ms=$drawn
         sleep "$(printf '%d.%03d' $((after_ms / 1000)) $((after_ms % 1000)))"
         kill -KILL "$pid" 2>/dev/null || true
         wait "$pid" 2>/dev/null || true
@@ -72,7 +91,7 @@ for i in $(seq "$runs"); do
         cmp -s "$out/undisturbed/results/template.pcd" "$session/results/template.pcd" ||
             verdict=DIFFERENT
         [[ $verdict == same && $status == "$wanted" ]] || failed=$((failed + 1))
-        echo "$kind $i: killed after $after_ms ms with $views views; resumed: status $status, $verdict"
+        echo "$kind $i: killed $after_ms ms after entry $after of $entries, $views views; resumed: status $status, $verdict"
         [[ $kind == own ]] && stop_simcell
         [[ $verdict == same ]] && rm -rf "$session" "$session.cell"
     done

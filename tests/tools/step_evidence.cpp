@@ -22,7 +22,7 @@ void print_step(const std::string& name, const TurnStep& step, const StepEvidenc
     const double area = e.unexplained ? e.unexplained->area_m2 : 0.0;
     fmt::print(
         "{},{},{},{},{:.3f},{:.3f},{:.2f},{:.2f},{:.2f},{:.2f},{:.3f},{},{:.0f},{:.2f},{:.2f},"
-        "\"{}\"\n",
+        "{:.2f},{:.3f},\"{}\"\n",
         name, step.index, word(step.verdict), word(step.cause),
         or_nan(step.error_rad, deg_from_rad(1.0)), or_nan(step.sigma_rad, deg_from_rad(1.0)),
         or_nan(step.overlap), or_nan(step.tilt_rad, deg_from_rad(1.0)),
@@ -30,7 +30,8 @@ void print_step(const std::string& name, const TurnStep& step, const StepEvidenc
         e.camera_shift ? e.camera_shift->shift_px : -1.0,
         e.camera_shift ? e.camera_shift->patches : 0, area * 1e6,
         e.unexplained_limit_m2 > 0.0 ? area / e.unexplained_limit_m2 : 0.0, e.misfit.value_or(-1.0),
-        step.sentence);
+        e.as_reported ? e.as_reported->matched : -1.0,
+        e.as_reported ? e.as_reported->contradicted : -1.0, step.sentence);
 }
 
 /// `lock`: every step is locked to the axis, as if the operator had said so.
@@ -62,7 +63,8 @@ int main(int argc, char** argv) {
     gripscan::WorkerPool pool(2);
     fmt::print(
         "session,step,verdict,cause,error_deg,sigma_deg,overlap,tilt_deg,slip_mm,offset_mm,"
-        "background_px,patches,unexplained_mm2,unexplained_of_limit,misfit,sentence\n");
+        "background_px,patches,unexplained_mm2,unexplained_of_limit,misfit,"
+        "shared,floating,sentence\n");
     bool lock = false;
     for (int i = 1; i < argc; ++i) {
         if (std::string_view(argv[i]) == "--lock") {

@@ -72,6 +72,31 @@ TEST(AxisLock, CompletesATurnFromTheNormalsAlone) {
     }
 }
 
+/// Reflections stand still while the part turns, and look like a texture that does not turn.
+TEST(AxisLock, WhatStandsStillOnTheSurfaceDoesNotHoldTheViewsBack) {
+    TurnCase turn = lathe_turn(6, 19, 20.0);
+    lock(turn.views);
+    for (TurnView& view : turn.views) {
+        for (const Eigen::Vector3f& p : view.cloud.points) {
+            const Eigen::Vector3f phase = 600.0F * p;
+            view.cloud.intensity.push_back(
+                120.0F + 40.0F * (std::sin(phase.x()) + std::sin(1.3F * phase.y())));
+        }
+    }
+    const TurnReport report = solved(turn.views, with_hint());
+    ASSERT_TRUE(report.axis);
+    EXPECT_FALSE(report.angle_scale) << "nothing shows one";
+    EXPECT_FALSE(report.closure_before) << "the robot's word is no closure";
+    EXPECT_FALSE(report.closure_after);
+    const Eigen::Vector3d middle = centroid(turn.views[0].cloud);
+    for (std::size_t k = 0; k < report.poses.size(); ++k) {
+        ASSERT_TRUE(report.poses[k]) << k;
+        // The axis is what is left to be found; the angles are the robot's.
+        EXPECT_THAT(report.poses[k]->inverse(), IsPose(turn.T_view_first[k], middle, 0.1, 0.3))
+            << k;
+    }
+}
+
 TEST(AxisLock, UsesTheAxisOfAWarmUp) {
     TurnCase turn = lathe_turn(3, 3, 20.0);
     lock(turn.views);

@@ -161,6 +161,12 @@ TEST(EvidenceLines, SayWhatWasLookedAt) {
             EXPECT_EQ(line.value, "not known");
         }
     }
+    j.evidence.as_reported = Agreement{0.12, 0.02, 0.10};
+    j.step.cause = Cause::kOverlap;
+    const auto too_large = evidence_lines(j.step, j.evidence, {});
+    EXPECT_THAT(too_large, testing::Contains(testing::AllOf(
+                               testing::Field(&EvidenceLine::value, "12 %, and 2 % floats"),
+                               testing::Field(&EvidenceLine::exceeded, true))));
 }
 
 }  // namespace

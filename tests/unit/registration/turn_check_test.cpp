@@ -71,6 +71,20 @@ Change with_joints(Change change, double other_deg, double joint6_deg) {
         e.joint6_moved_rad = rad_from_deg(joint6_deg);
     };
 }
+/// No answer, or several, where the views share so much under the robot's own turn.
+Change not_found(Cause cause, double shared, double floating) {
+    return [=](TurnStep&, StepEvidence& e) {
+        e.found = false;
+        e.cause_not_found = cause;
+        e.as_reported = Agreement{shared, floating, shared - floating};
+    };
+}
+Change starts_disagree(double shared) {
+    return [=](TurnStep&, StepEvidence& e) {
+        e.starts_agree = false;
+        e.as_reported = Agreement{shared, 0.01, shared - 0.01};
+    };
+}
 Change nothing() {
     return [](TurnStep&, StepEvidence&) {};
 }
@@ -136,6 +150,17 @@ INSTANTIATE_TEST_SUITE_P(
              "reject", "overlap", "35 %"},
         Case{"NotFound", [](TurnStep&, StepEvidence& e) { e.found = false; }, "reject",
              "not_converged", "no alignment"},
+        Case{"NotFoundInAStepTooLarge", not_found(Cause::kNotConverged, 0.12, 0.02), "reject",
+             "overlap", "share 12 % of the surface, limit 40 %"},
+        Case{"NotFoundThoughMuchIsShared", not_found(Cause::kNotConverged, 0.41, 0.02), "reject",
+             "not_converged", "no alignment"},
+        Case{"NotFoundAndTheRobotsTurnDoesNotFitEither",
+             not_found(Cause::kNotConverged, 0.12, 0.07), "reject", "not_converged", ""},
+        Case{"NothingToAlignIsNoLargeStep", not_found(Cause::kTexture, 0.12, 0.02), "reject",
+             "texture", ""},
+        Case{"StartsDisagreeInAStepTooLarge", starts_disagree(0.12), "reject", "overlap",
+             "too large; different starts"},
+        Case{"StartsDisagreeThoughMuchIsShared", starts_disagree(0.8), "reject", "symmetry", ""},
         Case{"Symmetric", [](TurnStep& s, StepEvidence&) { s.observability = 0.07; }, "reject",
              "symmetry", "0.07"},
         Case{"ObservabilityJustEnough", [](TurnStep& s, StepEvidence&) { s.observability = 0.081; },

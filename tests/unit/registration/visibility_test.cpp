@@ -81,6 +81,9 @@ TEST(Agreement, IsBestAtTheTruthAndSeesContradictions) {
         const Pose T = motion_about(off, source->centre_m) * pair.T_target_source;
         EXPECT_LT(at(T, true).score, truth.score - 0.2);
     }
+    const Agreement whole = agreement_at(*source, *target, pair.T_target_source, 700);
+    EXPECT_NEAR(whole.matched, truth.matched, 0.1) << "another tolerance";
+    EXPECT_LT(whole.contradicted, 0.05);
     // Nearer to the camera by 15 mm: most of it floats where a camera looked through.
     Pose nearer = Pose::Identity();
     nearer.translation().z() = -0.015;

@@ -3,6 +3,8 @@
 
 #include <set>
 
+#include "core/procedure/engine.h"
+#include "core/procedure/journal_codec.h"
 #include "core/session/resume.h"
 
 namespace gripscan {
@@ -41,6 +43,33 @@ TEST_P(SessionOfVersion, OpensAndIsComputed) {
     EXPECT_GT(report.merged.size(), 1000u);
 }
 
+/// As a run that is resumed does: the journal alone leads to the captures of the table.
+TEST_P(SessionOfVersion, ItsJournalLeadsToWhatWasRecorded) {
+    const auto memory = open_memory(folder());
+    if (!memory) GTEST_SKIP() << memory.error().message;
+    ProcedureState begin;
+    std::vector<Input> inputs;
+    for (const JournalEntry& entry : memory->entries) {
+        if (entry.event == "plan") {
+            const auto plan = decode_plan(entry.fields);
+            ASSERT_TRUE(plan) << plan.error().message;
+            begin.plan = *plan;
+            begin.data.step_rad = plan->step_rad;
+            continue;
+        }
+        const auto input = decode_input(entry.event, entry.fields);
+        ASSERT_TRUE(input) << entry.number << ": " << input.error().message;
+        if (*input) inputs.push_back(**input);
+    }
+    const auto state = replay_inputs(begin, inputs);
+    ASSERT_TRUE(state) << state.error().message;
+    const auto session = open_session(folder());
+    ASSERT_TRUE(session) << session.error().message;
+    EXPECT_EQ(state->data.captures.size(), session->table.rows.size());
+    EXPECT_EQ(table_of(*state).size() + 1, session->table.rows.size());
+    EXPECT_TRUE(state->warm_up && state->warm_up->axis);
+}
+
 TEST_P(SessionOfVersion, ItsJournalIsResumedOrRefusedWithAReason) {
     const auto journal = read_journal(folder() / "journal");
     ASSERT_TRUE(journal) << journal.error().message;
@@ -62,8 +91,8 @@ INSTANTIATE_TEST_SUITE_P(All, SessionOfVersion, testing::ValuesIn(versions()),
                              return name;
                          });
 
-TEST(Migration, TheFirstVersionIsThere) {
-    EXPECT_THAT(versions(), testing::Contains("0.1"));
+TEST(Migration, EveryVersionIsThere) {
+    EXPECT_THAT(versions(), testing::ElementsAre("0.1", "0.2"));
 }
 
 }  // namespace
