@@ -15,6 +15,10 @@ uniform float map_per_value;  // 1 / (value at its end − value at its beginnin
 uniform float under_is_grey;  // 1: values before the beginning are "too few"
 uniform vec3 one_colour;
 uniform vec3 grey;
+uniform mat4 world_from_cloud;
+uniform vec3 keep_min;
+uniform vec3 keep_max;
+uniform int keep;  // 0 all, 1 what is inside the box, 2 what is outside; the rest is grey
 uniform sampler2D map;
 
 flat out vec3 colour;
@@ -38,6 +42,11 @@ void main() {
         colour = one_colour;
     } else {
         colour = from_map(dot(depth_from_cloud, vec4(p, 1.0)));
+    }
+    if (keep != 0) {
+        vec3 q = (world_from_cloud * vec4(p, 1.0)).xyz;
+        bool inside = all(greaterThanEqual(q, keep_min)) && all(lessThanEqual(q, keep_max));
+        if (inside == (keep == 2)) colour = grey;
     }
     // Light from the upper left behind the viewer; points without a normal are lit fully.
     const vec3 to_light = vec3(-0.37139, -0.55709, -0.74278);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ui/layout/rect.h"
+#include "ui/views/image_zoom.h"
 #include "ui/views/request.h"
 #include "ui/views/snapshot.h"
 #include "ui/widgets/ui.h"
@@ -21,18 +22,10 @@ class StereoTextures {
     StereoTextures& operator=(const StereoTextures&) = delete;
 
     struct Parts;
-    [[nodiscard]] Parts& parts() { return *parts_; }
+    [[nodiscard]] Parts& parts();
 
   private:
     std::unique_ptr<Parts> parts_;
-};
-
-/// What part of an image is seen: the whole of it fits at zoom 1.
-struct ImageZoom {
-    double zoom = 1.0;
-    double centre_x = 0.5;  ///< as a part of its width
-    double centre_y = 0.5;
-    friend bool operator==(const ImageZoom&, const ImageZoom&) = default;
 };
 
 struct StereoPanelState {

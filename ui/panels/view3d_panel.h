@@ -10,6 +10,7 @@
 #include "ui/panels/view3d_state.h"
 #include "ui/views/request.h"
 #include "ui/views/snapshot.h"
+#include "ui/views/view_keys.h"
 #include "ui/widgets/ui.h"
 
 namespace gripscan::ui {
@@ -35,6 +36,15 @@ class View3d {
 
   private:
     View3d();
+    void lay_out(const Ui& ui, const Rect& rect, const Snapshot& snapshot, View3dState& local);
+    void take_input(const Ui& ui, const Rect& rect, const Snapshot& snapshot, View3dState& local,
+                    Requests& out);
+    void draw_scene(const Ui& ui, const Snapshot& snapshot, View3dState& local,
+                    double last_frame_ms);
+    void draw_overlays(const Ui& ui, const Rect& rect, const Snapshot& snapshot, View3dState& local,
+                       Requests& out);
+    void obey(ViewCommand command, const Snapshot& snapshot, View3dState& local);
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

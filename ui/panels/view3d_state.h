@@ -16,9 +16,9 @@ namespace gripscan::ui {
 
 /// A drag that began in the scene and has not ended.
 struct ViewDrag {
-    enum class What { kNone, kOrbit, kPan, kZoom, kFace } what = What::kNone;
-    int button = 0;
-    Rect rect;  ///< the half of the view in which it began
+    enum class What { kNone, kPoint, kOrbit, kPan, kZoom, kFace } what = What::kNone;
+    int button = 0;  ///< of Dear ImGui
+    Rect rect;       ///< the half of the view in which it began
     BoxDrag face;
     double travelled_px = 0.0;  ///< a press that hardly moved is a click
 };
@@ -42,6 +42,7 @@ struct View3dState {
     Rect picture_rect;                    ///< out: what a photograph is cut from
 
     ViewDrag drag;
+    bool clicked_before = false;  ///< the last press was no drag: the next may be a double click
     double pivot_shown_until_s = 0.0;
 };
 

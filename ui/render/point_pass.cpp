@@ -94,6 +94,10 @@ void PointPass::set_colours(const ViewSettings& settings, const Theme& theme) co
     program_.set("map_per_value", span != 0.0 ? static_cast<float>(1.0 / span) : 0.0F);
     program_.set("under_is_grey", settings.colour_by == ColourBy::kSeen ? 1.0F : 0.0F);
     program_.set("grey", rgb(theme.too_few));
+    program_.set("keep", settings.keep ? (settings.keep_outside ? 2 : 1) : 0);
+    const Box keep = settings.keep.value_or(Box{});
+    program_.set("keep_min", Eigen::Vector3f(keep.min_m.cast<float>()));
+    program_.set("keep_max", Eigen::Vector3f(keep.max_m.cast<float>()));
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, maps_[static_cast<std::size_t>(recipe.map)].name());
     program_.set("map", 0);
@@ -128,6 +132,7 @@ void PointPass::draw(std::span<const PointChunk> chunks, const OrbitCamera& came
         const Eigen::Matrix4d pose = chunk.T_world_cloud.matrix();
         program_.set("clip_from_cloud", Eigen::Matrix4f((clip * pose).cast<float>()));
         program_.set("view_from_cloud", Eigen::Matrix4f((view * pose).cast<float>()));
+        program_.set("world_from_cloud", Eigen::Matrix4f(pose.cast<float>()));
         program_.set("depth_from_cloud", Eigen::Vector4f(pose.row(2).transpose().cast<float>()));
         program_.set("one_colour", rgb(chunk.colour));
         const std::size_t size_of_chunk = store_.size(chunk.id);

@@ -34,6 +34,7 @@ struct SceneCloud {
     Pose T_first_cloud = Pose::Identity();
     int step = 0;  ///< place in the turn, from 0; of the capture
     CloudRole role = CloudRole::kView;
+    bool visible = true;  ///< hidden ones stay in the memory of the graphics card
 };
 
 enum class SceneKind { kEmpty, kGrowing, kPair, kTemplate };
@@ -61,7 +62,9 @@ struct SceneParts {
 
 /// What of the scene the user wants to see.
 struct SceneWish {
-    bool pair = false;  ///< the two clouds of the selected step
+    /// The two clouds of the selected step. Nothing: for a rejected step, and for one that was
+    /// chosen in Table 1.
+    std::optional<bool> pair;
     PairPose pair_pose = PairPose::kAligned;
 };
 
@@ -74,14 +77,7 @@ struct SceneWish {
 /// Why the two clouds of the selected step cannot be shown; empty: they can.
 [[nodiscard]] std::string why_no_pair(const Snapshot& snapshot);
 
-/// What stands in the view while there is no cloud.
-struct EmptyText {
-    std::string title;
-    std::string what_to_do;
-};
-[[nodiscard]] EmptyText empty_scene_text(const Snapshot& snapshot);
-
-/// Below a picture of the view: "valve-T20, step 14 of 36, 140.0°, 412 870 points".
-[[nodiscard]] std::string scene_caption(const Snapshot& snapshot, const SceneParts& parts);
+/// Points of the clouds that are visible.
+[[nodiscard]] std::size_t visible_points(const SceneParts& parts);
 
 }  // namespace gripscan::ui

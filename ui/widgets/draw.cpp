@@ -1,7 +1,5 @@
 #include "ui/widgets/draw.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -125,24 +123,6 @@ void dashed_outline(const Ui& ui, const Rect& rect, const Colour& colour, float 
     arc(right - corner, top + corner, 1.5F);
     arc(right - corner, bottom - corner, 0.0F);
     arc(left + corner, bottom - corner, 0.5F);
-}
-
-std::string shown_number(double value, int decimals, Sign sign) {
-    if (!std::isfinite(value)) return "–";
-    std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
-    const bool zero = text.find_first_not_of("0.") == std::string::npos;
-    if (value < 0.0 && !zero) return "−" + text;
-    return sign == Sign::kAlways ? "+" + text : text;
-}
-
-std::string shown_count(long long count) {
-    std::string digits = fmt::format("{}", count < 0 ? -count : count);
-    std::string text;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) text += "\u2009";
-        text += digits[i];
-    }
-    return count < 0 ? "−" + text : text;
 }
 
 }  // namespace gripscan::ui

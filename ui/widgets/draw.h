@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "ui/theme/shown_number.h"
 #include "ui/widgets/ui.h"
 
 namespace gripscan::ui {
@@ -34,11 +35,5 @@ void dashed_outline(const Ui& ui, const Rect& rect, const Colour& colour, float 
 void draw_line(const Ui& ui, ImVec2 a, ImVec2 b, const Colour& colour, float thickness = 0.0F);
 void dashed_line(const Ui& ui, ImVec2 a, ImVec2 b, const Colour& colour, float dash_px,
                  float gap_px);
-
-/// A number as it is shown: fixed decimals, U+2212 as minus, an explicit plus on request.
-enum class Sign { kMinusOnly, kAlways };
-[[nodiscard]] std::string shown_number(double value, int decimals, Sign sign = Sign::kMinusOnly);
-/// Thousands parted by thin spaces.
-[[nodiscard]] std::string shown_count(long long count);
 
 }  // namespace gripscan::ui
