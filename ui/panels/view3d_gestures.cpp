@@ -74,6 +74,7 @@ void move(const SceneMouse& mouse, View3dState& state, GestureResult& result) {
 /// The button was let go: where it hardly moved it was a click.
 void end_drag(const SceneMouse& mouse, const SceneTarget& target, View3dState& state) {
     const ViewDrag drag = std::exchange(state.drag, {});
+    state.clicked_before = drag.travelled_px < kClick_px;
     const bool click =
         drag.button == 0 && drag.what != What::kFace && drag.travelled_px < kClick_px;
     if (!click || !state.measuring.on || !target.pick) return;
@@ -97,7 +98,7 @@ GestureResult take_mouse(const SceneMouse& mouse, const SceneTarget& target, Vie
             end_drag(mouse, target, state);
         }
     }
-    if (mouse.double_click && !state.measuring.on) {
+    if (mouse.double_click && state.clicked_before && !state.measuring.on) {
         if (const auto point = picked()) {
             state.camera = with_pivot(state.camera, point->position_m);
             result.pivot_chosen = true;

@@ -42,6 +42,7 @@ struct View3dState {
     Rect picture_rect;                    ///< out: what a photograph is cut from
 
     ViewDrag drag;
+    bool clicked_before = false;  ///< the last press was no drag: the next may be a double click
     double pivot_shown_until_s = 0.0;
 };
 

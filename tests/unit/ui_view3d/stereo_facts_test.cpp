@@ -1,0 +1,106 @@
+#include "ui/views/stereo_facts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/unit/ui_view3d/sample_scene.h"
+
+namespace gripscan::ui {
+namespace {
+
+const StereoFact* fact(const std::vector<StereoFact>& facts, std::string_view label) {
+    const auto found = std::find_if(facts.begin(), facts.end(),
+                                    [&](const StereoFact& f) { return f.label == label; });
+    return found == facts.end() ? nullptr : &*found;
+}
+
+TEST(StereoFacts, AreValuesAgainstTheirLimits) {
+    auto scene = test::growing_scene(1, 2000);
+    scene.snapshot.live.picture = test::sample_picture();
+    scene.snapshot.live.on = true;
+    scene.snapshot.live.rate_hz = 14.93;
+    const ShownPicture shown = shown_picture(scene.snapshot);
+    EXPECT_TRUE(shown.live);
+    const auto facts = stereo_facts(scene.snapshot, shown);
+    ASSERT_NE(fact(facts, "Fill %"), nullptr);
+    EXPECT_EQ(fact(facts, "Fill %")->left, "93");
+    EXPECT_EQ(fact(facts, "Fill %")->limit, "≥ 10");
+    EXPECT_EQ(fact(facts, "Mean level")->state, FactState::kGood);
+    EXPECT_EQ(fact(facts, "Saturated %")->right, "0.3");
+    EXPECT_EQ(fact(facts, "Row error px")->left, "0.08");
+    EXPECT_EQ(fact(facts, "Frames /s")->left, "14.9");
+    EXPECT_EQ(fact(facts, "Baseline mm")->left, "120.00");
+    for (const StereoFact& f : facts) EXPECT_FALSE(f.tooltip.empty()) << f.label;
+}
+
+TEST(StereoFacts, BeyondALimitAreWarnings) {
+    auto picture = std::make_shared<StereoPicture>(*test::sample_picture());
+    picture->left_health->fill = 0.06;
+    picture->right_health->saturated = 0.05;
+    picture->left_health->row_error_px = -0.4;
+    picture->right_health->mean_intensity = 80.0;
+    Snapshot snapshot;
+    snapshot.live.dropped = 3;
+    const auto facts = stereo_facts(snapshot, {picture, true, "live", {}});
+    for (const auto* label : {"Fill %", "Saturated %", "Row error px", "Mean level", "Frames /s"}) {
+        ASSERT_NE(fact(facts, label), nullptr) << label;
+        EXPECT_EQ(fact(facts, label)->state, FactState::kWarning) << label;
+    }
+}
+
+TEST(ShownPictures, AreThoseOfTheSelectedStepWhileNotLive) {
+    auto scene = test::growing_scene(3, 2000);
+    for (auto& capture : scene.snapshot.captures) capture.picture = test::sample_picture();
+    ShownPicture shown = shown_picture(scene.snapshot);
+    EXPECT_EQ(shown.picture, scene.snapshot.captures[3].picture);
+    EXPECT_EQ(shown.title, "capture 3");
+    EXPECT_EQ(shown.why_not_live, "live images are off");
+    scene.snapshot.follows_last = false;
+    scene.snapshot.selected_row = 0;
+    scene.snapshot.live.on = true;
+    scene.snapshot.live.picture = test::sample_picture();
+    shown = shown_picture(scene.snapshot);
+    EXPECT_FALSE(shown.live);
+    EXPECT_EQ(shown.picture, scene.snapshot.captures[1].picture);
+    EXPECT_EQ(shown.why_not_live, "a step of Table 1 is selected");
+    scene.snapshot.live.trouble = "the camera answers no more";
+    EXPECT_EQ(shown_picture(scene.snapshot).why_not_live, "the camera answers no more");
+}
+
+TEST(AreaOutline, IsTheHullOfItsCornersAndShiftsByTheDisparity) {
+    const auto scene = test::growing_scene(0, 2000);
+    const auto left = area_outline_px(scene.snapshot.cell, Eye::kLeft);
+    const auto right = area_outline_px(scene.snapshot.cell, Eye::kRight);
+    // A box seen from the front shows its near face: that one hides the far one wholly.
+    ASSERT_EQ(left.size(), 4U);
+    const RectifiedRig& rig = *scene.snapshot.cell.rig;
+    for (const Eigen::Vector2d& corner : left) {
+        const Eigen::Vector2d shifted(corner.x() - rig.disparity_px(0.6), corner.y());
+        const bool there = std::any_of(right.begin(), right.end(), [&](const Eigen::Vector2d& c) {
+            return (c - shifted).norm() < 1e-9;
+        });
+        EXPECT_TRUE(there) << corner.transpose();
+    }
+    CellFrame behind = scene.snapshot.cell;
+    behind.region->min_m.z() = -0.1;
+    EXPECT_TRUE(area_outline_px(behind, Eye::kLeft).empty());
+}
+
+TEST(Disparity, IsReadInPixelsAndMillimetres) {
+    const auto scene = test::growing_scene(0, 2000);
+    const auto picture = test::sample_picture();
+    const CellFrame& cell = scene.snapshot.cell;
+    const double d = picture->disparity.at<float>(120, 160);
+    EXPECT_EQ(disparity_text(*picture, cell, 160, 120), "160, 120: 62.40 px, 673.1 mm");
+    EXPECT_NEAR(cell.rig->depth_m(d), 0.6731, 5e-5);
+    EXPECT_EQ(disparity_text(*picture, cell, 3, 3), "3, 3: none");
+    EXPECT_EQ(disparity_text(*picture, cell, -1, 3), "");
+    const DisparityRange range = disparity_range(*picture, cell);
+    EXPECT_EQ(range.far_mm, "800 mm");
+    EXPECT_EQ(range.near_mm, "600 mm");
+    EXPECT_EQ(row_text(120, *picture), "row 120  Δy 0.08 px");
+}
+
+}  // namespace
+}  // namespace gripscan::ui
