@@ -1,12 +1,18 @@
 #!/usr/bin/env bash
-# Builds gripscan and lets it register the gripper of the simulated cell over a full turn.
-# Further arguments go to `gripscan run gripper`, for example: ./run.sh --seed 3 --step-deg 20
+# Builds gripscan and opens its window on the simulated cell. Without a display, or with arguments,
+# the same turn is made without a window; arguments go to `gripscan run gripper`, for example:
+# ./run.sh --seed 3 --step-deg 20
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 source third_party/prepare.sh
 
 install_packages
 build release gripscan
+
+if [[ $# == 0 && -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then
+    mkdir -p build/run
+    exec build/release/bin/gripscan --session "build/run/gripper-$(date +%Y-%m-%d-%H%M%S)"
+fi
 
 out=build/run/session
 for ((i = 1; i <= $#; ++i)); do

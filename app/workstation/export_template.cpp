@@ -1,5 +1,10 @@
 #include "app/workstation/export_template.h"
 
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_file.h"
+#include "core/base/units.h"
+
 #include "core/cloud/cloud_file.h"
 #include "core/report/axis_frame.h"
 
@@ -12,6 +17,43 @@ void drop_unwanted(Cloud& cloud, const ui::ExportWish& wish) {
     if (!wish.intensity) cloud.intensity.clear();
     if (!wish.seen) cloud.seen.clear();
     if (!wish.sigma) cloud.sigma.clear();
+}
+
+using Json = nlohmann::ordered_json;
+
+Json crop_json(const TemplateFilter& filter) {
+    if (!filter.crop) return {};
+    const Eigen::Vector3d& a = filter.crop->min_m;
+    const Eigen::Vector3d& b = filter.crop->max_m;
+    return {{"min", {a.x(), a.y(), a.z()}},
+            {"max", {b.x(), b.y(), b.z()}},
+            {"inverted", filter.invert_crop}};
+}
+
+/// gripscan-export/1: what a file without a header for it cannot say of itself.
+std::string sidecar(const TurnReport& report, const ui::ExportWish& wish, const Cloud& cloud) {
+    std::size_t accepted = 0;
+    for (const TurnStep& step : report.steps) {
+        if (step.verdict == Verdict::kAccept || step.verdict == Verdict::kAcceptNoted) ++accepted;
+    }
+    const auto& closure = report.closure_after;
+    return Json{{"format", "gripscan-export/1"},
+                {"file", wish.file.filename().string()},
+                {"software", GRIPSCAN_VERSION},
+                {"points", cloud.size()},
+                {"unit", wish.millimetres ? "mm" : "m"},
+                {"frame", wish.axis_frame ? "axis" : "camera"},
+                {"steps", report.steps.size()},
+                {"accepted", accepted},
+                {"closure_deg", closure ? Json(deg_from_rad(closure->angle_rad)) : Json()},
+                {"closure_mm", closure ? Json(closure->shift_m * kMmPerM) : Json()},
+                {"filter",
+                 {{"crop_m", crop_json(wish.filter)},
+                  {"min_seen", wish.filter.min_seen},
+                  {"denoise_sigmas", wish.filter.denoise_sigmas},
+                  {"denoise_neighbours", wish.filter.denoise_neighbours}}}}
+               .dump(2) +
+           "\n";
 }
 
 }  // namespace
@@ -37,10 +79,15 @@ Result<Exported> export_template(const TurnReport& report, const ui::ExportWish&
         }
         cloud = transformed(cloud, T_axis_camera(report.axis->axis, centroid(cloud)));
     }
+    fs::create_directories(wish.file.parent_path(), code);
     CloudFileOptions options;
     options.encoding = wish.encoding;
     options.metres_per_unit = wish.millimetres ? 0.001 : 1.0;
     if (Status saved = save_cloud(wish.file, cloud, options); !saved) {
+        return forward_error(saved.error());
+    }
+    const fs::path beside = wish.file.string() + ".json";
+    if (Status saved = write_file_atomically(beside, sidecar(report, wish, cloud)); !saved) {
         return forward_error(saved.error());
     }
     return Exported{wish.file, cloud.size(), fs::file_size(wish.file, code)};

@@ -17,8 +17,7 @@ struct Exported {
 
 /// Read back and compared before it appears. Errors: no points, no axis for the axis frame, a file
 /// that is there already, one that cannot be written.
-[[nodiscard]] Result<Exported> export_template(const TurnReport& report,
-                                               const ui::ExportWish& wish,
+[[nodiscard]] Result<Exported> export_template(const TurnReport& report, const ui::ExportWish& wish,
                                                const ForEach& for_each);
 
 }  // namespace gripscan::app

@@ -36,7 +36,10 @@ ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
     const std::string caption = player_ ? player_->caption() : "";
     ui::draw_screen(input.ui, input.width_px, input.height_px, snapshot, caption,
                     input.last.total_ms(), screen_, parts_, requests);
-    for (const ui::Request& request : requests) station_.take(request);
+    for (const ui::Request& request : requests) {
+        prepare_for(request);
+        station_.take(request);
+    }
     station_.set_splits(screen_.splits);
     take_window_wish(station_.window_wish());
     apply_preferences();
@@ -44,17 +47,36 @@ ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
     ui::FrameWish wish;
     wish.redraw_after_s = requests.empty() ? station_.next_change_s(input.ui.time_s) : 0.0;
     if (parts_.wants_another_frame()) wish.redraw_after_s = 0.0;
+    if (player_ && player_->ended() && options_.script.empty()) player_.reset();
     if (player_) {
         if (const auto file = player_->picture_wanted()) take_picture(*file);
         wish.redraw_after_s = std::min(wish.redraw_after_s, 0.02);
-        const bool over = player_->ended() || player_->trouble();
-        wish.close = over && (!options_.script.empty() || player_->trouble());
+        wish.close = !options_.script.empty() && (player_->ended() || player_->trouble());
     }
     if (!options_.screenshot.empty() && options_.frames > 0 && frames_ == options_.frames) {
         take_picture(options_.screenshot);
     }
     wish.close = wish.close || screen_.quit;
     return wish;
+}
+
+void FrameLoop::prepare_for(const ui::Request& request) {
+    if (const auto* show = std::get_if<ui::request::Show>(&request)) {
+        if (show->dialog == ui::Dialog::kNewSession) {
+            screen_.new_session.typed.simulated = !show->cell_file;
+        }
+    } else if (std::holds_alternative<ui::request::Quit>(request)) {
+        screen_.close.quits = true;
+    } else if (std::holds_alternative<ui::request::CloseSession>(request)) {
+        screen_.close.quits = false;
+    } else if (std::holds_alternative<ui::request::Tour>(request)) {
+        auto tour = guided_tour();
+        if (tour) {
+            player_ = std::move(*tour);
+        } else {
+            station_.toast(ui::LogLevel::kError, "toast.tour", "No tour", tour.error().message);
+        }
+    }
 }
 
 void FrameLoop::take_window_wish(const WindowWish& wish) {

@@ -26,6 +26,8 @@ class FrameLoop {
     [[nodiscard]] std::optional<std::string> trouble() const;
 
   private:
+    /// What only the panels' own state can hold of a request.
+    void prepare_for(const ui::Request& request);
     void take_window_wish(const WindowWish& wish);
     void apply_preferences();
     void take_picture(const std::filesystem::path& file);

@@ -262,6 +262,8 @@ void Workstation::give(const Command& command) {
         close_turn();
         return;
     }
+    // Stop is never greyed: where nothing is going on there is nothing to tell.
+    if (*reply && std::holds_alternative<command::Stop>(command)) return;
     if (*reply) {
         toast(LogLevel::kWarning, "toast.refused", fmt::format("Not now: {}", word(command)),
               **reply);
@@ -274,7 +276,8 @@ void Workstation::give(const Command& command) {
 
 void Workstation::hold(bool held) {
     LiveTurn* turn = live();
-    if (turn == nullptr || held || !moving(turn->state()) || turn->state().running) return;
+    if (turn == nullptr || held || turn->state().plan.mode != MotionMode::kLive) return;
+    if (!moving(turn->state()) || turn->state().running) return;
     give(command::Stop{});
 }
 
@@ -372,7 +375,10 @@ struct Workstation::Taker {
         if (self.dialog_ == ui::Dialog::kNote) self.dialog_ = ui::Dialog::kNone;
     }
     void operator()(const ui::request::HoldToMove& r) const { self.hold(r.held); }
-    void operator()(const ui::request::GoTo& r) const { self.page_ = r.page; }
+    void operator()(const ui::request::GoTo& r) const {
+        self.hold(false);  // the button that was held is not there any more
+        self.page_ = r.page;
+    }
     void operator()(const ui::request::Open& r) const { self.open(r.path); }
     void operator()(const ui::request::Resume& r) const { self.resume(r.folder); }
     void operator()(const ui::request::Begin& r) const { self.begin(r.wish); }
@@ -392,7 +398,10 @@ struct Workstation::Taker {
         self.refresh_recent();
     }
     void operator()(const ui::request::Show& r) const {
+        if (r.dialog != ui::Dialog::kNone) self.hold(false);
         self.dialog_ = r.dialog;
+        // It stands beside the template, with its counts in sight.
+        if (r.dialog == ui::Dialog::kExport) self.page_ = ui::Page::kTemplate;
         if (r.dialog != ui::Dialog::kError) self.error_.reset();
     }
     void operator()(const ui::request::SelectStep& r) const { self.selected_row_ = r.row; }

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 /// GRIPSCAN_WINDOW_STEP_DEG=10 makes the whole turn of 36 steps of it.
 std::string step_deg() {
     const char* wanted = std::getenv("GRIPSCAN_WINDOW_STEP_DEG");
-    return wanted != nullptr ? wanted : "40";
+    return wanted != nullptr ? wanted : "30";
 }
 
 /// The only session below the user's folder.
@@ -34,7 +34,7 @@ void begin_turn(const OutsideDriver& driver) {
     ASSERT_TRUE(driver.wait_for("step.check_cell")) << driver.error_text();
     if (step_deg() == "10") return;
     ASSERT_TRUE(driver.click("page.cell"));
-    ASSERT_TRUE(driver.click("cell.plan.step"));
+    ASSERT_TRUE(driver.click("plan.step"));
     driver.key("ctrl+a");
     driver.type(step_deg());
     driver.key("Return");
@@ -57,20 +57,18 @@ TEST(WholeProcedure, ByHandThenByItselfToTheExportedTemplate) {
     ASSERT_TRUE(driver.click("step.step"));
     ASSERT_TRUE(driver.wait_for("step.undo"));
     driver.key("ctrl+z");
-    ASSERT_TRUE(driver.click("step.run"));
-    ASSERT_TRUE(driver.click("page.template"));
+    ASSERT_TRUE(driver.click("mode.run"));
     ASSERT_TRUE(driver.click("window.export", 800.0)) << driver.error_text();
-    ASSERT_TRUE(driver.click("export.format.pcd"));
-    ASSERT_TRUE(driver.click("export.encoding.binary"));
+    ASSERT_TRUE(driver.click("export.pcd"));
+    ASSERT_TRUE(driver.click("export.binary"));
     ASSERT_TRUE(driver.click("export.file"));
     driver.key("ctrl+a");
     const fs::path exported = folder / "template.pcd";
     driver.type(exported.string());
-    driver.key("Tab");
     ASSERT_TRUE(driver.click("export.write"));
     for (int i = 0; i < 500 && !fs::exists(exported); ++i) ::usleep(20000);
     ASSERT_TRUE(fs::exists(exported)) << driver.error_text();
-    ASSERT_TRUE(driver.click("window.close"));
+    driver.key("ctrl+w");
     ASSERT_TRUE(driver.wait_for("start.simulated"));
 
     // The same by the program without a window: the recording computed again and exported.
@@ -90,8 +88,7 @@ TEST(WholeProcedure, ARunInTheWindowIsTheRunOfTheCommandLine) {
     const fs::path home = folder / "home";
     OutsideDriver driver(home, {});
     begin_turn(driver);
-    ASSERT_TRUE(driver.click("step.run"));
-    ASSERT_TRUE(driver.click("page.template"));
+    ASSERT_TRUE(driver.click("mode.run"));
     ASSERT_TRUE(driver.wait_for("window.export", 800.0)) << driver.error_text();
     ASSERT_EQ(run_headless({"run", "gripper", "--cell", "sim", "--step-deg", step_deg(), "--out",
                             (folder / "headless").string()}),
@@ -107,7 +104,7 @@ TEST(WholeProcedure, KilledWhileBusyTheNextStartGoesOn) {
     {
         OutsideDriver driver(home, {});
         begin_turn(driver);
-        ASSERT_TRUE(driver.click("step.run"));
+        ASSERT_TRUE(driver.click("mode.run"));
         for (int i = 0; i < 6000; ++i) {
             if (fs::exists(session_in(home) / "frames/003_right.png")) break;
             ::usleep(20000);
@@ -118,7 +115,6 @@ TEST(WholeProcedure, KilledWhileBusyTheNextStartGoesOn) {
     ASSERT_TRUE(driver.click("start.resume"));
     ASSERT_TRUE(driver.click("step.connect"));
     ASSERT_TRUE(driver.click("step.resume"));
-    ASSERT_TRUE(driver.click("page.template", 60.0));
     ASSERT_TRUE(driver.wait_for("window.export", 800.0)) << driver.error_text();
     EXPECT_TRUE(fs::exists(session_in(home) / "results/template.pcd"));
 }
