@@ -88,6 +88,10 @@ Result<FontSet> FontSet::bake(ImFontAtlas& atlas, Scale scale) {
     // Plain ImGui items (inputs, menus) are written in the text face.
     ImGui::GetIO().FontDefault = set[FontRole::kText];
     if (!atlas.Build()) return device_error("the fonts do not fit into a texture");
+    // JetBrains Mono has no thin space, which parts thousands.
+    for (const Face& face : kFaces) {
+        if (face.height == kMonoHeight) set[face.role]->AddRemapChar(0x2009, ' ');
+    }
     return set;
 }
 

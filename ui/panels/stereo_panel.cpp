@@ -27,7 +27,7 @@ void draw_header(const Ui& ui, const Rect& rect, const Snapshot& snapshot,
     const float y = middle_y(rect);
     const float x = draw_text(ui, static_cast<float>(rect.x) + ui.scale.em(0.86F), y,
                               FontRole::kPanelTitle, ui.theme.text, "Stereo");
-    draw_text(ui, x + ui.scale.em(0.57F), y, FontRole::kSmall, ui.theme.text_third, shown.title);
+    const float title_x = x + ui.scale.em(0.57F);
     const int side = ui.em(2.0F);
     Rect tool{rect.right() - ui.em(0.43F) - side, rect.y + (rect.height - side) / 2, side, side};
     ButtonSpec link{"stereo.link", {}, Icon::kLink};
@@ -57,6 +57,9 @@ void draw_header(const Ui& ui, const Rect& rect, const Snapshot& snapshot,
                         : "no disparity was computed of these images: captures have one"}}};
     const Rect choice{tool.x - ui.em(0.43F) - ui.em(7.0F),
                       rect.y + (rect.height - ui.em(1.57F)) / 2, ui.em(7.0F), ui.em(1.57F)};
+    draw_text(ui, title_x, y, FontRole::kSmall, ui.theme.text_third,
+              fitted(ui, FontRole::kSmall, shown.title,
+                     static_cast<float>(choice.x) - title_x - ui.scale.em(0.43F)));
     if (const auto clicked = segments(ui, choice, options, local.disparity ? 1 : 0)) {
         local.disparity = *clicked == 1;
     }

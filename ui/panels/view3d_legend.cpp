@@ -30,7 +30,7 @@ Rect card_at(const Ui& ui, const Rect& rect, float width_em, int height) {
 }
 
 void draw_pair(const Ui& ui, const Rect& rect, const SceneParts& parts, View3dState& state) {
-    const Rect card = card_at(ui, rect, 35.0F, ui.em(3.0F));
+    const Rect card = card_at(ui, rect, 39.0F, ui.em(3.0F));
     draw_card(ui, card);
     const float y = static_cast<float>(card.y) + 0.5F * static_cast<float>(card.height);
     float x = static_cast<float>(card.x) + ui.scale.em(1.3F);

@@ -132,7 +132,11 @@ void add_ghost(const LineInput& input, LineBatch& lines) {
     const double angle_rad = *input.parts.turn.next_rad - input.parts.turn.turned_rad;
     const Pose T = turn_about(*axis, angle_rad) * last->T_first_cloud;
     const LineStyle style{input.theme.accent_text, 1.3F, {5, 4, 0, 0}, HiddenStyle::kSame};
-    for (const auto& outline : silhouette(last->cloud->points, T, input.camera, input.viewport)) {
+    SilhouetteSettings settings;
+    settings.cell_px *= input.px;
+    settings.least_px *= input.px;
+    for (const auto& outline :
+         silhouette(last->cloud->points, T, input.camera, input.viewport, settings)) {
         std::vector<Eigen::Vector3d> points;
         for (const Eigen::Vector2d& px : outline) {
             points.push_back(unproject(input.camera, input.viewport, px, input.camera.distance_m));
@@ -164,7 +168,7 @@ SceneLines scene_lines(const LineInput& input) {
     }
     add_crop(input, out);
     if (input.pivot_m) {
-        const double half_m = 10.0 / input.camera.px_per_m(input.viewport);
+        const double half_m = 10.0 * input.px / input.camera.px_per_m(input.viewport);
         add_cross(out.lines, *input.pivot_m, half_m,
                   {input.theme.accent_text, 1.2F, {}, HiddenStyle::kSame});
     }

@@ -33,6 +33,7 @@ struct LineInput {
     const OrbitCamera& camera;
     Viewport viewport;
     Box around;                              ///< the visible clouds; not valid where there are none
+    double px = 1.0;                         ///< of one px at 100 %
     bool show_cell = true;                   ///< else only what is worked with: the crop cuboid
     std::optional<Eigen::Vector3d> pivot_m;  ///< shown as a cross
 };

@@ -137,9 +137,10 @@ void View3d::draw_scene(const Ui& ui, const Snapshot& snapshot, View3dState& loc
     parts.animates = ui.time_s < local.pivot_shown_until_s;
     for (std::size_t i = 0; i < parts.panes_shown; ++i) {
         Parts::Pane& pane = parts.panes[i];
-        const SceneLines lines = scene_lines(
-            {snapshot, parts.scene, ui.theme, local.camera, viewport_of(pane.rect), parts.bounds,
-             local.show_cell, pivot ? std::optional(local.camera.pivot_m) : std::nullopt});
+        const SceneLines lines =
+            scene_lines({snapshot, parts.scene, ui.theme, local.camera, viewport_of(pane.rect),
+                         parts.bounds, static_cast<double>(ui.scale.factor()), local.show_cell,
+                         pivot ? std::optional(local.camera.pivot_m) : std::nullopt});
         const auto drawn = pane.view->draw({pane.chunks, &lines.lines, local.camera,
                                             view_settings(by, range, snapshot, parts.scene, local)},
                                            pane.rect.width, pane.rect.height, ui.theme, ui.scale,

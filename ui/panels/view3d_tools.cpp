@@ -85,7 +85,7 @@ bool tool(const Ui& ui, ToolCard& card, std::string_view id, Icon icon, std::str
 
 void draw_left(const Ui& ui, const Rect& rect, const SceneParts& parts, const Snapshot& snapshot,
                View3dState& state, bool labels) {
-    const int width = ui.em(labels ? 31.2F : 26.0F);
+    const int width = ui.em(labels ? 33.4F : 28.0F);
     ToolCard card(ui, rect.x + ui.em(0.71F), rect.y + ui.em(0.71F), width);
     if (labels) card.label("Colour");
     draw_colour_menu(ui, card.next(7.2F), snapshot, parts, state);

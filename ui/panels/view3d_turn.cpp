@@ -63,6 +63,7 @@ void add_axis_line(const LineInput& input, const Axis& axis, const Reach& reach,
     const double from_m = reach.from_m - 0.12 * length_m;
     add_axis(out.lines, axis, from_m, reach.to_m + 0.4 * length_m,
              {input.theme.axis, 1.6F, {14, 4, 3, 4}, HiddenStyle::kFaint});
+    if (input.parts.kind == SceneKind::kTemplate) return;
     const auto& sd_rad = input.snapshot.cell.axis_sd_rad;
     out.labels.push_back({axis.point_m + from_m * axis.direction, "J6 axis",
                           sd_rad ? "sd " + degrees(*sd_rad, 2) : std::string(), input.theme.axis,

@@ -153,7 +153,7 @@ ShownPicture shown_picture(const Snapshot& snapshot) {
     }
     if (!shown.picture && live.picture) {
         shown.picture = live.picture;
-        shown.title = "last live images";
+        shown.title = "last live";
     }
     return shown;
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/seeded_random.h"
 #include "ui/render/box_handles.h"
+#include "ui/render/picture_crop.h"
 #include "ui/render/silhouette.h"
 
 namespace gripscan::ui {
@@ -96,6 +97,16 @@ TEST(Silhouette, OfTwoPartsAreTwoOutlinesAndSpecksAreLeftOut) {
     points.push_back(view.pivot_m.cast<float>() + Eigen::Vector3f(0.0F, 0.08F, 0.0F));
     EXPECT_EQ(silhouette(points, Pose::Identity(), view, kView).size(), 2U);
     EXPECT_TRUE(silhouette({}, Pose::Identity(), view, kView).empty());
+}
+
+TEST(PictureCrop, TakesWhatLiesInThePicture) {
+    std::vector<std::uint8_t> rgba(4 * 3 * 2);
+    for (std::size_t i = 0; i < rgba.size(); ++i) rgba[i] = static_cast<std::uint8_t>(i / 4);
+    Rect part{1, 1, 5, 5};
+    EXPECT_EQ(cropped_rgba(rgba, 3, 2, part), (std::vector<std::uint8_t>{4, 4, 4, 4, 5, 5, 5, 5}));
+    EXPECT_EQ(part, (Rect{1, 1, 2, 1}));
+    Rect outside{9, 0, 2, 2};
+    EXPECT_TRUE(cropped_rgba(rgba, 3, 2, outside).empty());
 }
 
 }  // namespace

@@ -37,11 +37,11 @@ JudgedStep accepted(int from) {
     return step;
 }
 
-/// The part as capture `index` saw it: three neighbouring sides, turned with the joint.
+/// The part as capture `index` saw it: the sides that look at the camera, turned with the joint.
 std::shared_ptr<const Cloud> view_of(const std::vector<ui::PointChunk>& sides, int index) {
     auto cloud = std::make_shared<Cloud>();
     const int count = static_cast<int>(sides.size());
-    for (int by = -2; by <= 2; ++by) {
+    for (int by = -6; by <= 6; ++by) {
         const auto side =
             static_cast<std::size_t>((count - index + by + count / 2 + count) % count);
         const Cloud& part = *sides[side].cloud;

@@ -48,22 +48,21 @@ TEST_F(PanelPictures, OfAnEmptyViewSayWhatToDo) {
 }
 
 TEST_F(PanelPictures, OfTheGrowingCloudLookAsApproved) {
-    expect_view("running-dark", test::growing_scene(14, 150000), {});
+    expect_view("running-dark", test::growing_scene(14, 60000), {});
 }
 
 TEST_F(PanelPictures, OfTheGrowingCloudInTheLightThemeAt200PercentLookAsApproved) {
-    expect_view("running-light-200", test::growing_scene(14, 150000), {}, ThemeChoice::kLight,
-                2.0F);
+    expect_view("running-light-200", test::growing_scene(14, 60000), {}, ThemeChoice::kLight, 2.0F);
 }
 
 TEST_F(PanelPictures, OfTheTwoCloudsOfARejectedStepLookAsApproved) {
-    expect_view("rejected-dark", test::rejected_scene(6, 0.25, 300000), {});
+    expect_view("rejected-dark", test::rejected_scene(6, 0.25, 150000), {});
 }
 
 TEST_F(PanelPictures, SideBySideLookAsApproved) {
     View3dState local;
     local.side_by_side = true;
-    expect_view("side-by-side-dark", test::rejected_scene(6, 0.25, 300000), local);
+    expect_view("side-by-side-dark", test::rejected_scene(6, 0.25, 150000), local);
 }
 
 TEST_F(PanelPictures, OfTheTemplateWithItsCuboidLookAsApproved) {
@@ -75,13 +74,13 @@ TEST_F(PanelPictures, OfTheTemplateWithItsCuboidLookAsApproved) {
 TEST_F(PanelPictures, OfAMeasurementLookAsApproved) {
     View3dState local;
     local.measuring = {true, {{-0.03, -0.047, 0.68}, {0.03, -0.047, 0.72}}};
-    expect_view("measuring-light", test::growing_scene(14, 150000), local, ThemeChoice::kLight);
+    expect_view("measuring-light", test::growing_scene(14, 60000), local, ThemeChoice::kLight);
 }
 
 TEST_F(PanelPictures, ForTheReportHaveACaptionAndNoTools) {
     View3dState local;
     local.photograph = true;
-    expect_view("photograph-light", test::growing_scene(14, 150000), local, ThemeChoice::kLight);
+    expect_view("photograph-light", test::growing_scene(14, 60000), local, ThemeChoice::kLight);
 }
 
 TEST_F(PanelPictures, OfStereoImagesLookAsApproved) {
