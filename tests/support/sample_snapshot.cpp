@@ -188,7 +188,11 @@ void show_captures(Sample& sample) {
         }
         picture->left_health = StereoHealth{};
         picture->t_s = record.t_s;
-        sample.snapshot.captures.push_back({record.index, record.attempt, 0, nullptr, picture});
+        ShownCapture shown;
+        shown.index = record.index;
+        shown.attempt = record.attempt;
+        shown.picture = std::move(picture);
+        sample.snapshot.captures.push_back(std::move(shown));
     }
 }
 
@@ -315,7 +319,9 @@ Sample sample_link_lost() {
     add_log(sample, 41, LogLevel::kError, "ROB-007", "Link lost: no answer to 3 heartbeats");
     sample.snapshot.error =
         ShownError{"The link to the robot was lost", why,
-                   "Look whether the arm stands. Check the cable, then connect again and resume."};
+                   "Look whether the arm stands. Check the cable, then connect again and resume.",
+                   "",
+                   {}};
     show_captures(sample);
     select_last(sample);
     return sample;
