@@ -120,6 +120,15 @@ bool OutsideDriver::click(const std::string& id, double patience_s) const {
     return press(id, 1, patience_s);
 }
 
+bool OutsideDriver::begin(const std::string& id, double patience_s) const {
+    if (!click(id, patience_s)) return false;
+    constexpr double kReaction_s = 10.0;
+    return wait_until(kReaction_s, [&] {
+        const auto control = find(id);
+        return !control || !control->enabled;
+    });
+}
+
 bool OutsideDriver::right_click(const std::string& id, double patience_s) const {
     return press(id, 3, patience_s);
 }

@@ -35,6 +35,8 @@ class OutsideDriver {
     [[nodiscard]] bool wait_for(const std::string& id, double patience_s = 120.0) const;
     /// Waits for it, then presses it.
     [[nodiscard]] bool click(const std::string& id, double patience_s = 120.0) const;
+    /// The same for one that begins something: returns once it cannot be pressed any more.
+    [[nodiscard]] bool begin(const std::string& id, double patience_s = 120.0) const;
     [[nodiscard]] bool right_click(const std::string& id, double patience_s = 120.0) const;
     /// As xdotool names it: "space", "Escape", "ctrl+z".
     void key(const std::string& name) const;

@@ -47,14 +47,15 @@ TEST(WholeProcedure, ByHandThenByItselfToTheExportedTemplate) {
     const fs::path home = folder / "home";
     OutsideDriver driver(home, {});
     begin_turn(driver);
-    ASSERT_TRUE(driver.click("step.check_cell"));
-    ASSERT_TRUE(driver.click("step.warm_up"));
-    ASSERT_TRUE(driver.click("step.capture"));
+    ASSERT_TRUE(driver.begin("step.check_cell"));
+    ASSERT_TRUE(driver.begin("step.warm_up"));
+    ASSERT_TRUE(driver.begin("step.capture"));
     ASSERT_TRUE(driver.wait_for("step.step")) << driver.find("step.step")->reason;
     driver.key("space");  // the next action: the first step
-    ASSERT_TRUE(driver.click("step.retry"));
-    ASSERT_TRUE(driver.click("step.halve"));
-    ASSERT_TRUE(driver.click("step.step"));
+    for (int i = 0; i < 200 && driver.find("step.step")->enabled; ++i) ::usleep(20000);
+    ASSERT_TRUE(driver.begin("step.retry"));
+    ASSERT_TRUE(driver.begin("step.halve"));
+    ASSERT_TRUE(driver.begin("step.step"));
     ASSERT_TRUE(driver.wait_for("step.undo"));
     driver.key("ctrl+z");
     ASSERT_TRUE(driver.click("mode.run"));

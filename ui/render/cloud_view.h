@@ -23,7 +23,7 @@ struct ViewSettings {
     double range_to = 1.0;       ///< at its high end; of kDepth this is the near end
     float point_size_px = 2.0F;  ///< at 100 %, 1 … 10
     bool eye_dome = true;
-    std::optional<Box> keep;    ///< in the world; points that are not kept are grey
+    std::optional<Box> keep = std::nullopt;  ///< in the world; points outside it are grey
     bool keep_outside = false;  ///< keep what lies outside it instead
     friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
