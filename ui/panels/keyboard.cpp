@@ -85,8 +85,9 @@ void take_keys(const Snapshot& snapshot, Requests& out) {
         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     if (ImGui::GetIO().WantTextInput || menu || snapshot.dialog != Dialog::kNone) return;
     for (const std::string& key : pressed_keys()) {
-        const bool belongs_to_control =
-            key == "Space" && ImGui::GetIO().NavVisible && ImGui::GetFocusID() != 0;
+        // A control of a page that has been left has nothing to say any more.
+        const bool belongs_to_control = key == "Space" && ImGui::GetIO().NavVisible &&
+                                        ImGui::GetFocusID() != 0 && GImGui->NavIdIsAlive;
         if (belongs_to_control) continue;
         const Requests asked = requests_for_key(key, snapshot);
         out.insert(out.end(), asked.begin(), asked.end());

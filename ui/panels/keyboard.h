@@ -13,6 +13,7 @@ namespace gripscan::ui {
 /// keys, whatever the layout.
 [[nodiscard]] std::vector<std::string> pressed_keys();
 
+/// After the panels were drawn: only then is it known which control has the keyboard.
 /// Nothing while text is typed, a menu is open or a dialog has the keys. Space belongs to the next
 /// action, unless the keyboard has been moved to a control.
 void take_keys(const Snapshot& snapshot, Requests& out);

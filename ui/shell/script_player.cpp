@@ -13,6 +13,7 @@ namespace {
 struct KeyStroke {
     int backend_key = -1;
     bool control = false;
+    unsigned typed = 0;  ///< the character it types; 0: none
 };
 
 /// GLFW numbers its printable keys by their upper-case ASCII codes; the rest has names.
@@ -27,14 +28,16 @@ std::optional<KeyStroke> stroke_of(const std::string& name) {
     const bool control = name.starts_with(kControl);
     const std::string key = control ? name.substr(kControl.size()) : name;
     if (const auto named = kNamed.find(key); named != kNamed.end()) {
-        return KeyStroke{ImGui::GetIO().KeyMap[named->second], control};
+        return KeyStroke{ImGui::GetIO().KeyMap[named->second], control, key == "Space" ? ' ' : 0U};
     }
-    if (key.size() == 1)
-        return KeyStroke{std::toupper(static_cast<unsigned char>(key[0])), control};
+    if (key.size() == 1) {
+        const auto character = static_cast<unsigned char>(key[0]);
+        return KeyStroke{std::toupper(character), control, character};
+    }
     constexpr int kF1 = 290;  // of GLFW; F2 … F12 follow
     if (key.size() >= 2 && key[0] == 'F') {
         const int number = std::atoi(key.c_str() + 1);
-        if (number >= 1 && number <= 12) return KeyStroke{kF1 + number - 1, control};
+        if (number >= 1 && number <= 12) return KeyStroke{kF1 + number - 1, control, 0};
     }
     return std::nullopt;
 }
@@ -92,6 +95,7 @@ struct ScriptPlayer::Play {
             ImGuiIO& io = ImGui::GetIO();
             io.KeyCtrl = stroke.control && down;
             io.KeysDown[stroke.backend_key] = down;
+            if (down && !stroke.control && stroke.typed != 0) io.AddInputCharacter(stroke.typed);
         };
         self.pending_.emplace_back([set] { set(true); });
         self.pending_.emplace_back([set] { set(false); });
