@@ -17,7 +17,7 @@ std::span<const ViewKey> view_keys() {
         ViewKey{kStereoCamera, "view.camera", "View of the left camera", "V"},
         ViewKey{kMeasure, "view.measure", "Measure", "M"},
         ViewKey{kSideBySide, "view.side_by_side", "Side by side", "D"},
-        ViewKey{kEyeDome, "view.eye_dome", "Eye-dome lighting", "L"},
+        ViewKey{kEyeDome, "view.eye_dome", "Eye-dome lighting", "E"},
         ViewKey{kLarger, "view.larger", "Larger points", "Ctrl+Up"},
         ViewKey{kSmaller, "view.smaller", "Smaller points", "Ctrl+Down"},
     };
