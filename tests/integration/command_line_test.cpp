@@ -39,8 +39,7 @@ TEST(CommandLine, EverySubcommandHelpsWithAnExample) {
 }
 
 TEST(CommandLine, WrongUsageIsStatusTwoAndLeavesStandardOutputEmpty) {
-    for (const Arguments& arguments : {Arguments{},
-                                       {"dance"},
+    for (const Arguments& arguments : {Arguments{"dance"},
                                        {"replay"},
                                        {"run"},
                                        {"run", "gripper"},
@@ -68,8 +67,11 @@ TEST(CommandLine, WrongUsageIsStatusTwoAndLeavesStandardOutputEmpty) {
     }
 }
 
-TEST(CommandLine, WithoutASubcommandItNamesTheWayOn) {
-    EXPECT_THAT(run_program({}).err, HasSubstr("gripscan --help"));
+/// Without a subcommand it is the window, which needs a screen.
+TEST(CommandLine, WithoutASubcommandAndAScreenItNamesTheWayOn) {
+    const auto result = run_program({}, {"DISPLAY="});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(result.err, HasSubstr("gripscan --help"));
 }
 
 }  // namespace
