@@ -398,6 +398,7 @@ struct Workstation::Taker {
         self.refresh_recent();
     }
     void operator()(const ui::request::Show& r) const {
+        if (r.dialog == ui::Dialog::kClose && !self.busy()) return self.close_turn();
         if (r.dialog != ui::Dialog::kNone) self.hold(false);
         self.dialog_ = r.dialog;
         // It stands beside the template, with its counts in sight.
