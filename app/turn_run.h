@@ -29,7 +29,7 @@ struct TurnRunViewers {
     /// The cell is open, its link not yet connected.
     std::function<Status(const Cell&)> opened;
     SharedSource::Viewer frame;
-    CellEffects::Prepared prepared;
+    TurnWorkspace::Viewer prepared;
     decltype(Progress::report) progress;
     std::function<void(const ComputedTurn&)> solved;
     LinkWatch::Viewer beat;

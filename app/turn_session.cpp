@@ -16,11 +16,7 @@ TurnPlan plan_of(const CellOptions& options, const Cell& cell) {
     plan.mode = options.mode();
     plan.step_rad = rad_from_deg(options.step_deg);
     plan.speed_percent = cell.speed_percent;
-    plan.limits.angle_rad = rad_from_deg(cell.limits.angle_deg);
-    plan.limits.sigmas = cell.limits.sigmas;
-    plan.limits.overlap = cell.limits.overlap;
-    plan.limits.slip_m = cell.limits.slip_mm / kMmPerM;
-    plan.limits.tilt_rad = rad_from_deg(cell.limits.tilt_deg);
+    plan.limits = turn_limits(cell.limits);
     return plan;
 }
 

@@ -32,10 +32,6 @@ Json crop_json(const TemplateFilter& filter) {
 
 /// gripscan-export/1: what a file without a header for it cannot say of itself.
 std::string sidecar(const TurnReport& report, const ui::ExportWish& wish, const Cloud& cloud) {
-    std::size_t accepted = 0;
-    for (const TurnStep& step : report.steps) {
-        if (step.verdict == Verdict::kAccept || step.verdict == Verdict::kAcceptNoted) ++accepted;
-    }
     const auto& closure = report.closure_after;
     return Json{{"format", "gripscan-export/1"},
                 {"file", wish.file.filename().string()},
@@ -44,7 +40,7 @@ std::string sidecar(const TurnReport& report, const ui::ExportWish& wish, const 
                 {"unit", wish.millimetres ? "mm" : "m"},
                 {"frame", wish.axis_frame ? "axis" : "camera"},
                 {"steps", report.steps.size()},
-                {"accepted", accepted},
+                {"accepted", trusted_steps(report)},
                 {"closure_deg", closure ? Json(deg_from_rad(closure->angle_rad)) : Json()},
                 {"closure_mm", closure ? Json(closure->shift_m * kMmPerM) : Json()},
                 {"filter",

@@ -1,7 +1,5 @@
 #include "app/workstation/recorded_turn.h"
 
-#include <atomic>
-
 #include "app/turn_session.h"
 #include "core/base/units.h"
 #include "core/cloud/cloud_file.h"
@@ -33,11 +31,7 @@ CaptureRecord record_of(const CaptureRow& row) {
 TurnPlan plan_of(const SessionSpec& spec) {
     TurnPlan plan;
     if (spec.step_deg) plan.step_rad = rad_from_deg(*spec.step_deg);
-    plan.limits.angle_rad = rad_from_deg(spec.limits.angle_deg);
-    plan.limits.sigmas = spec.limits.sigmas;
-    plan.limits.overlap = spec.limits.overlap;
-    plan.limits.slip_m = spec.limits.slip_mm / kMmPerM;
-    plan.limits.tilt_rad = rad_from_deg(spec.limits.tilt_deg);
+    plan.limits = turn_limits(spec.limits);
     return plan;
 }
 
@@ -50,16 +44,11 @@ ProcedureState state_of(const Session& session, const TurnReport& report) {
     for (const CaptureRow& row : session.table.rows) {
         state.data.captures.push_back(record_of(row));
     }
-    event::Solved solved;
     for (const TurnStep& step : report.steps) {
         state.judged[{step.from, step.to}] = JudgedStep{step, {}, {}};
-        ++solved.steps;
-        const bool trusted =
-            step.verdict == Verdict::kAccept || step.verdict == Verdict::kAcceptNoted;
-        if (trusted) ++solved.accepted;
     }
-    solved.template_points = report.merged.size();
-    state.solved = solved;
+    state.solved = event::Solved{static_cast<int>(trusted_steps(report)),
+                                 static_cast<int>(report.steps.size()), report.merged.size()};
     return state;
 }
 
@@ -82,18 +71,11 @@ Result<Computed> compute(const Session& session, const Progress& progress,
     for (const RecordedCapture& capture : recording.captures) {
         if (capture.used) used.push_back(&capture);
     }
-    std::vector<Result<PreparedCapture>> made;
-    for (std::size_t i = 0; i < used.size(); ++i) made.emplace_back(cancelled_error());
-    std::atomic<std::size_t> ready = 0;
-    const Progress quiet{progress.stop, {}};
-    for_each(used.size(), [&](std::size_t i) {
-        made[i] = workspace->prepare(*used[i], quiet, for_each);
-        progress.tell("stereo", ++ready, used.size());
-    });
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (!made[i]) return forward_error(made[i].error());
-        seen.add(*used[i], *made[i]);
-        (void)workspace->insert(std::move(*made[i]));
+    const auto show = [&](const RecordedCapture& capture, const PreparedCapture& prepared) {
+        seen.add(capture, prepared);
+    };
+    if (Status s = workspace->add_all(used, progress, for_each, show); !s) {
+        return forward_error(s.error());
     }
     auto turn = workspace->solve(recording.captures, progress, for_each);
     if (!turn) return forward_error(turn.error());

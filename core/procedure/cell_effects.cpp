@@ -1,7 +1,5 @@
 #include "core/procedure/cell_effects.h"
 
-#include <atomic>
-
 #include "core/procedure/cell_check.h"
 #include "core/procedure/measure_cell.h"
 
@@ -150,20 +148,12 @@ Status CellEffects::prepare(const std::vector<RecordedCapture>& captures,
         const bool there = held != prepared_attempts_.end() && held->second == capture.attempts;
         if (capture.used && !there) missing.push_back(&capture);
     }
-    std::vector<Result<PreparedCapture>> made;
-    for (std::size_t i = 0; i < missing.size(); ++i) made.emplace_back(cancelled_error());
-    std::atomic<std::size_t> ready = 0;
-    for_each_(missing.size(), [&](std::size_t i) {
-        made[i] = workspace_.prepare(*missing[i], progress, for_each_);
-        progress.tell("stereo", ++ready, missing.size());
-    });
-    for (std::size_t i = 0; i < missing.size(); ++i) {
-        if (!made[i]) return forward_error(made[i].error());
-        if (prepared_) prepared_(*missing[i], *made[i]);
-        (void)workspace_.insert(std::move(*made[i]));
-        prepared_attempts_[missing[i]->index] = missing[i]->attempts;
-    }
-    return {};
+    return workspace_.add_all(
+        missing, progress, for_each_,
+        [&](const RecordedCapture& capture, const PreparedCapture& prepared) {
+            if (prepared_) prepared_(capture, prepared);
+            prepared_attempts_[capture.index] = capture.attempts;
+        });
 }
 
 Status CellEffects::load(const TurnData& data, const Progress& progress) {
@@ -206,15 +196,9 @@ Event CellEffects::solve(const ProcedureState& state, const Progress& progress) 
     if (Status kept = results_.keep(*computed); !kept) {
         return event::WorkFailed{kept.error().message};
     }
-    event::Solved solved;
-    for (const TurnStep& step : computed->report.steps) {
-        ++solved.steps;
-        const bool trusted =
-            step.verdict == Verdict::kAccept || step.verdict == Verdict::kAcceptNoted;
-        if (trusted) ++solved.accepted;
-    }
-    solved.template_points = computed->report.merged.size();
-    return solved;
+    const TurnReport& report = computed->report;
+    return event::Solved{static_cast<int>(trusted_steps(report)),
+                         static_cast<int>(report.steps.size()), report.merged.size()};
 }
 
 }  // namespace gripscan

@@ -47,9 +47,7 @@ class CellEffects : public EffectRunner {
 
     /// Shown every capture that was made ready, before it is taken into the turn; called from
     /// worker threads, one capture at a time.
-    using Prepared =
-        std::function<void(const RecordedCapture& capture, const PreparedCapture& prepared)>;
-    void on_prepared(Prepared viewer) { prepared_ = std::move(viewer); }
+    void on_prepared(TurnWorkspace::Viewer viewer) { prepared_ = std::move(viewer); }
 
     /// Makes the used captures of a resumed turn ready, so that nothing has to wait for it later.
     [[nodiscard]] Status load(const TurnData& data, const Progress& progress);
@@ -79,7 +77,7 @@ class CellEffects : public EffectRunner {
     ResultKeeper& results_;
     ForEach for_each_;
     decltype(Progress::report) report_;
-    Prepared prepared_;
+    TurnWorkspace::Viewer prepared_;
     std::map<int, int> prepared_attempts_;  ///< by index: which attempt the workspace holds
     std::vector<RecordedCapture> warm_up_;
 };

@@ -111,9 +111,7 @@ void Draft::rest() {
         return;
     }
     const auto table = table_of(state);
-    const bool accepted = table.empty() || table.back().row.verdict == Verdict::kAccept ||
-                          table.back().row.verdict == Verdict::kAcceptNoted;
-    if (accepted) {
+    if (table.empty() || trusted(table.back().row)) {
         state.phase = phase::Idle{};
         return;
     }

@@ -23,12 +23,8 @@ struct Diagnosis {
     std::string evidence;  ///< from the pattern over rows and attempts; may be empty
 };
 
-bool accepted(const TurnStep& row) {
-    return row.verdict == Verdict::kAccept || row.verdict == Verdict::kAcceptNoted;
-}
-
 bool shifts_the_gripper(const TurnStep& row) {
-    return !accepted(row) && (row.cause == Cause::kSlip || row.cause == Cause::kLoose);
+    return !trusted(row) && (row.cause == Cause::kSlip || row.cause == Cause::kLoose);
 }
 
 /// One slip is a slip; again in the next step it is a gripper that does not hold.
@@ -80,7 +76,7 @@ int rejected_in_a_row(const AdvisorCase& c) {
 
 /// The step before was not accepted for the same cause: it will not go away.
 bool persists(const AdvisorCase& c, Cause cause) {
-    return !c.before.empty() && !accepted(c.before.back().row) &&
+    return !c.before.empty() && !trusted(c.before.back().row) &&
            c.before.back().row.cause == cause;
 }
 
@@ -97,7 +93,7 @@ class Adviser {
                        fmt::format("Stop and ask: {}; clear the registration area and retake",
                                    description(*c_.step.foreign)));
         }
-        if (accepted(row)) return go_on("the step is accepted");
+        if (trusted(row)) return go_on("the step is accepted");
         if (not_independent_only()) {
             return go_on("the angle is taken from the robot; nothing contradicts it");
         }

@@ -11,6 +11,9 @@
 namespace gripscan {
 namespace {
 
+/// Images in memory at the same time: bounds the memory on machines with many cores.
+constexpr std::size_t kCapturesAtOnce = 8;
+
 tl::unexpected<Error> about(const RecordedCapture& capture, Error error) {
     if (error.kind != ErrorKind::kCancelled) {
         error.message = fmt::format("capture {}: {}", capture.index, error.message);
@@ -120,6 +123,33 @@ Result<CaptureEvidence> TurnWorkspace::add(const RecordedCapture& capture, const
     auto made = prepare(capture, progress, for_each);
     if (!made) return forward_error(std::move(made.error()));
     return insert(std::move(*made));
+}
+
+Status TurnWorkspace::add_all(std::span<const RecordedCapture* const> captures,
+                              const Progress& progress, const ForEach& for_each,
+                              const Viewer& viewer) {
+    // One capture has all threads to itself; several run side by side, each in order.
+    const ForEach inner = captures.size() == 1 ? for_each : ForEach(for_each_in_order);
+    const ForEach outer = captures.size() == 1 ? ForEach(for_each_in_order) : for_each;
+    std::atomic<std::size_t> done{0};
+    progress.tell("stereo", 0, captures.size());
+    for (std::size_t begin = 0; begin < captures.size(); begin += kCapturesAtOnce) {
+        const std::size_t count = std::min(kCapturesAtOnce, captures.size() - begin);
+        std::vector<Result<PreparedCapture>> made;
+        for (std::size_t i = 0; i < count; ++i) made.emplace_back(cancelled_error());
+        outer(count, [&](std::size_t i) {
+            if (progress.cancelled()) return;
+            made[i] = prepare(*captures[begin + i], progress, inner);
+            progress.tell("stereo", ++done, captures.size());
+        });
+        // In order, so that the same capture is named whatever the threads did.
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!made[i]) return forward_error(std::move(made[i].error()));
+            if (viewer) viewer(*captures[begin + i], *made[i]);
+            insert(std::move(*made[i]));
+        }
+    }
+    return {};
 }
 
 void TurnWorkspace::forget(int index) {

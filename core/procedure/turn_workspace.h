@@ -59,6 +59,14 @@ class TurnWorkspace {
     /// prepare() and insert().
     [[nodiscard]] Result<CaptureEvidence> add(const RecordedCapture& capture,
                                               const Progress& progress, const ForEach& for_each);
+    /// Shown a capture that was made ready, in order, before it is taken in.
+    using Viewer =
+        std::function<void(const RecordedCapture& capture, const PreparedCapture& prepared)>;
+    /// Several at the same time, a few in memory at once. The first error in order; what came
+    /// before it has been taken in.
+    [[nodiscard]] Status add_all(std::span<const RecordedCapture* const> captures,
+                                 const Progress& progress, const ForEach& for_each,
+                                 const Viewer& viewer = {});
     void forget(int index);
 
     /// The axis as a warm-up found it: used until three free steps have shown it, and by steps that

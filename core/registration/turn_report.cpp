@@ -4,11 +4,17 @@
 
 namespace gripscan {
 
+bool trusted(const TurnStep& step) {
+    return step.verdict == Verdict::kAccept || step.verdict == Verdict::kAcceptNoted;
+}
+
+std::size_t trusted_steps(const TurnReport& report) {
+    return static_cast<std::size_t>(
+        std::count_if(report.steps.begin(), report.steps.end(), trusted));
+}
+
 bool all_trusted(const TurnReport& report) {
-    return !report.steps.empty() &&
-           std::all_of(report.steps.begin(), report.steps.end(), [](const TurnStep& step) {
-               return step.verdict == Verdict::kAccept || step.verdict == Verdict::kAcceptNoted;
-           });
+    return !report.steps.empty() && trusted_steps(report) == report.steps.size();
 }
 
 }  // namespace gripscan

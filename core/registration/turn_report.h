@@ -67,7 +67,10 @@ struct TurnReport {
     Cloud merged;                       ///< the template, in the frame of the first used capture
 };
 
-/// Every used step accept or accept_noted.
+/// Accept or accept_noted.
+[[nodiscard]] bool trusted(const TurnStep& step);
+[[nodiscard]] std::size_t trusted_steps(const TurnReport& report);
+/// Every used step of them.
 [[nodiscard]] bool all_trusted(const TurnReport& report);
 
 }  // namespace gripscan

@@ -106,13 +106,8 @@ ComputeTurnSettings compute_settings_of(const Session& session) {
     }
     if (step_deg && *step_deg != 0.0) settings.turn.step_rad = rad_from_deg(std::abs(*step_deg));
     if (spec.axis_hint) settings.turn.axis_hint = spec.axis_hint->normalized();
-    TurnLimits& limits = settings.turn.limits;
-    limits.angle_rad = rad_from_deg(spec.limits.angle_deg);
-    limits.sigmas = spec.limits.sigmas;
-    limits.overlap = spec.limits.overlap;
-    limits.slip_m = spec.limits.slip_mm / kMmPerM;
-    limits.tilt_rad = rad_from_deg(spec.limits.tilt_deg);
-    settings.turn.align.limits = limits;
+    settings.turn.limits = turn_limits(spec.limits);
+    settings.turn.align.limits = settings.turn.limits;
     return settings;
 }
 

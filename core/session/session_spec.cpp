@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/number_text.h"
+#include "core/base/units.h"
 #include "core/session/yaml_parts.h"
 
 namespace gripscan {
@@ -23,6 +24,22 @@ SessionKind read_kind(StrictYaml& yaml) {
 }
 
 }  // namespace
+
+TurnLimits turn_limits(const LimitsDeg& limits) {
+    return {.angle_rad = rad_from_deg(limits.angle_deg),
+            .sigmas = limits.sigmas,
+            .overlap = limits.overlap,
+            .slip_m = limits.slip_mm / kMmPerM,
+            .tilt_rad = rad_from_deg(limits.tilt_deg)};
+}
+
+LimitsDeg limits_deg(const TurnLimits& limits) {
+    return {.angle_deg = deg_from_rad(limits.angle_rad),
+            .sigmas = limits.sigmas,
+            .overlap = limits.overlap,
+            .slip_mm = limits.slip_m * kMmPerM,
+            .tilt_deg = deg_from_rad(limits.tilt_rad)};
+}
 
 std::string_view word(SessionKind kind) {
     return kKinds[static_cast<std::size_t>(kind)];

@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/box.h"
+#include "core/registration/verdict.h"
 
 namespace gripscan {
 
@@ -22,6 +23,9 @@ struct LimitsDeg {
     double slip_mm = 1.0;
     double tilt_deg = 2.0;
 };
+
+[[nodiscard]] TurnLimits turn_limits(const LimitsDeg& limits);
+[[nodiscard]] LimitsDeg limits_deg(const TurnLimits& limits);
 
 struct SessionSpec {
     SessionKind kind = SessionKind::kGripper;

@@ -146,11 +146,7 @@ Status SessionStore::save_plan(const TurnPlan& plan) {
     auto spec = read_session_spec(folder_ / "session.yaml");
     if (!spec) return forward_error(spec.error());
     spec->step_deg = deg_from_rad(plan.step_rad);
-    spec->limits = {.angle_deg = deg_from_rad(plan.limits.angle_rad),
-                    .sigmas = plan.limits.sigmas,
-                    .overlap = plan.limits.overlap,
-                    .slip_mm = plan.limits.slip_m * kMmPerM,
-                    .tilt_deg = deg_from_rad(plan.limits.tilt_rad)};
+    spec->limits = limits_deg(plan.limits);
     return write_file_atomically(folder_ / "session.yaml", session_spec_text(*spec));
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::uint64_t kTemplateId = std::uint64_t{1} << 40U;
 
-bool trusted(const TurnStep& step) {
+/// Check too: such a view is merged.
+bool places_the_view(const TurnStep& step) {
     return step.T.has_value() && step.verdict != Verdict::kReject;
 }
 
@@ -136,7 +137,7 @@ void fill_turn(const ProcedureState& state, const std::vector<JudgedStep>& table
             if (step.row.icp_rad) parts.turn.icp_rad = parts.turn.turned_rad + *step.row.icp_rad;
             break;
         }
-        if (!trusted(step.row)) break;
+        if (!places_the_view(step.row)) break;
         parts.turn.turned_rad += angle_of(step.row);
         ++parts.steps_done;
     }
@@ -164,7 +165,7 @@ std::vector<std::optional<Pose>> capture_poses(const Snapshot& snapshot) {
     for (std::size_t i = 1; i < used.size(); ++i) {
         const JudgedStep* step =
             step_between(table, data.captures[used[i - 1]].index, data.captures[used[i]].index);
-        if (step == nullptr || !trusted(step->row)) break;
+        if (step == nullptr || !places_the_view(step->row)) break;
         poses[used[i]] = *poses[used[i - 1]] * step->row.T->inverse();
     }
     return poses;
