@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "ui/views/activity_text.h"
+
 namespace gripscan::app {
 namespace {
 
@@ -15,14 +17,6 @@ bool same_place(const JointAngles& a, const JointAngles& b) {
         if (std::abs(a[i] - b[i]) > 1e-5) return false;
     }
     return true;
-}
-
-/// What goes on, in words for the job bar.
-std::string_view name_of(const Activity& activity) {
-    static constexpr std::array<std::string_view, 7> kNames{
-        "Cell check",   "Joint 6 turns", "Waiting for the angle", "Exposure",
-        "Registration", "Axis",          "Joint solution"};
-    return kNames[activity.index()];
 }
 
 }  // namespace
@@ -149,6 +143,11 @@ ui::CellFrame LiveTurn::frame() const {
     return frame;
 }
 
+std::shared_ptr<const ComputedTurn> LiveTurn::solved() const {
+    const std::lock_guard lock(mutex_);
+    return state().solved ? solved_ : nullptr;
+}
+
 void LiveTurn::show_in(ui::Snapshot& snapshot) const {
     const std::lock_guard lock(mutex_);
     const CellOptions& options = run_->cell_options();
@@ -159,7 +158,6 @@ void LiveTurn::show_in(ui::Snapshot& snapshot) const {
                          false, (folder_ / "results").string()};
     snapshot.procedure = &state();
     snapshot.captures = seen_.all();
-    // Solved for the captures as they are: another step makes it a thing of the past.
     snapshot.solved = state().solved ? solved_ : nullptr;
     snapshot.cell = frame();
     snapshot.live = live_->shown();
@@ -168,7 +166,8 @@ void LiveTurn::show_in(ui::Snapshot& snapshot) const {
     const auto* busy = std::get_if<phase::Busy>(&state().phase);
     if (busy != nullptr) {
         const double since_s = clock_.busy_since_s() ? now_s() - *clock_.busy_since_s() : 0.0;
-        snapshot.job = ui::ShownJob{std::string(name_of(busy->activity)), part_, since_s, true};
+        snapshot.job =
+            ui::ShownJob{std::string(ui::activity_word(busy->activity)), part_, since_s, true};
     }
 }
 

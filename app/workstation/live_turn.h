@@ -31,6 +31,8 @@ class LiveTurn {
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] const CellOptions& cell_options() const { return run_->cell_options(); }
+    /// For the captures as they are: another step makes it a thing of the past. Null: not solved.
+    [[nodiscard]] std::shared_ptr<const ComputedTurn> solved() const;
     /// Fills what the turn knows.
     void show_in(ui::Snapshot& snapshot) const;
 

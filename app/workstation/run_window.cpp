@@ -83,7 +83,8 @@ Result<ExitStatus> run_window(const WindowOptions& options, const Context& conte
     settings.threads = thread_count(context);
     settings.files = session_files_of_user();
     settings.wake = ui::AppWindow::request_redraw;
-    const auto stored = ui::load_preferences(settings.files.preferences).stored.preferences;
+    settings.preferences = ui::load_preferences(settings.files.preferences);
+    const ui::WindowPreferences& stored = settings.preferences.stored.preferences;
     ui::WindowSettings window_settings;
     window_settings.width_px = size->width_px;
     window_settings.height_px = size->height_px;

@@ -23,7 +23,8 @@ namespace gripscan::app {
 
 struct WorkstationSettings {
     unsigned threads = 1;
-    SessionFiles files;  ///< where sessions, recent ones and preferences are kept
+    SessionFiles files;                 ///< where sessions, recent ones and preferences are kept
+    ui::LoadedPreferences preferences;  ///< as they were found there
     /// From any thread: there is something new to show.
     std::function<void()> wake;
 };
