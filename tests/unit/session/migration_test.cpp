@@ -46,7 +46,11 @@ TEST_P(SessionOfVersion, OpensAndIsComputed) {
 /// As a run that is resumed does: the journal alone leads to the captures of the table.
 TEST_P(SessionOfVersion, ItsJournalLeadsToWhatWasRecorded) {
     const auto memory = open_memory(folder());
-    if (!memory) GTEST_SKIP() << memory.error().message;
+    if (GetParam() == "0.1") {
+        GTEST_SKIP() << "its journal cannot be resumed; ItsJournalIsResumedOrRefusedWithAReason "
+                        "sees that it says so";
+    }
+    ASSERT_TRUE(memory) << memory.error().message;
     ProcedureState begin;
     std::vector<Input> inputs;
     for (const JournalEntry& entry : memory->entries) {
