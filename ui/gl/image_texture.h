@@ -7,9 +7,13 @@
 
 namespace gripscan::ui {
 
-/// Large pictures shown small are averaged, small ones shown large keep their pixels.
+/// How a small picture is shown large; large ones shown small are averaged.
+enum class Magnified { kPixels, kSmooth };
+
 class ImageTexture {
   public:
+    explicit ImageTexture(Magnified magnified = Magnified::kPixels) : magnified_(magnified) {}
+
     /// Replaces what is there. `row_bytes`: from one row to the next.
     void upload_grey(int width_px, int height_px, const std::uint8_t* pixels,
                      std::size_t row_bytes);
@@ -24,6 +28,7 @@ class ImageTexture {
   private:
     void upload(int width_px, int height_px, const void* pixels, std::size_t row_bytes,
                 int channels);
+    Magnified magnified_;
     GlTexture texture_;
     int width_px_ = 0;
     int height_px_ = 0;

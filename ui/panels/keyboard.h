@@ -1,17 +1,10 @@
 // The keys of this frame as requests.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "ui/views/request.h"
 #include "ui/views/snapshot.h"
 
 namespace gripscan::ui {
-
-/// "C", "Ctrl+Z", "F1", "Space", "Esc": keys that went down in this frame. Letters are those on the
-/// keys, whatever the layout.
-[[nodiscard]] std::vector<std::string> pressed_keys();
 
 /// After the panels were drawn: only then is it known which control has the keyboard.
 /// Nothing while text is typed, a menu is open or a dialog has the keys. Space belongs to the next

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/gl/grey_texture.h"
+#include "ui/gl/image_texture.h"
 #include "ui/imgui_compat.h"
 
 namespace gripscan::ui {
@@ -14,7 +14,7 @@ constexpr std::size_t kMost = 8;  ///< two captures, left and right, and as many
 /// The image is kept so that its data stay where they are, and no other can have their address.
 struct PictureCache::Entry {
     cv::Mat image;
-    GreyTexture texture;
+    ImageTexture texture{Magnified::kSmooth};
 };
 
 PictureCache::PictureCache() = default;
@@ -29,8 +29,10 @@ ImTextureID PictureCache::texture(const cv::Mat& grey) {
         std::rotate(found, found + 1, entries_.end());
     } else {
         if (entries_.size() >= kMost) entries_.erase(entries_.begin());
-        entries_.push_back(std::unique_ptr<Entry>(
-            new Entry{grey, GreyTexture(grey.data, grey.cols, grey.rows, grey.step)}));
+        entries_.push_back(std::make_unique<Entry>());
+        Entry& entry = *entries_.back();
+        entry.image = grey;
+        entry.texture.upload_grey(grey.cols, grey.rows, grey.data, grey.step);
     }
     return imgui_texture(entries_.back()->texture.name());
 }

@@ -117,8 +117,9 @@ void draw_keys(Form& form, const Snapshot& snapshot, SettingsState& local, Reque
 
 /// The key that was waited for, if one was pressed; Escape takes the question back.
 void take_key(const Snapshot& snapshot, SettingsState& local, Requests& out) {
-    const std::string key = pressed_key();
-    if (key.empty()) return;
+    const auto pressed = pressed_keys();
+    if (pressed.empty()) return;
+    const std::string& key = pressed.front();
     if (key != "Esc") {
         local.problem = key_problem(snapshot.keys, local.waiting_for, key);
         if (local.problem.empty()) out.push_back(request::SetKey{local.waiting_for, key});

@@ -8,7 +8,6 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/panels/colour_menu.h"
-#include "ui/panels/pressed_keys.h"
 #include "ui/panels/view3d_gestures.h"
 #include "ui/panels/view3d_legend.h"
 #include "ui/panels/view3d_lines.h"
@@ -17,6 +16,7 @@
 #include "ui/panels/view3d_tools.h"
 #include "ui/views/scene_words.h"
 #include "ui/widgets/draw.h"
+#include "ui/widgets/key_press.h"
 
 namespace gripscan::ui {
 namespace {
@@ -124,7 +124,7 @@ void View3d::take_input(const Ui& ui, const Rect& rect, const Snapshot& snapshot
         reads ? pick(mouse.at_px - Eigen::Vector2d(pane->rect.x, pane->rect.y)) : std::nullopt;
     local.cursor = under ? std::optional(reading_of(*under, pane->chunks)) : std::nullopt;
     if (snapshot.dialog != Dialog::kNone) return;
-    for (const std::string& key : pressed_view_keys()) take_key(key, snapshot, local);
+    for (const std::string& key : command_keys()) take_key(key, snapshot, local);
 }
 
 void View3d::draw_scene(const Ui& ui, const Snapshot& snapshot, View3dState& local,

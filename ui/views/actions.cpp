@@ -261,11 +261,16 @@ const Action* second_advice(const Snapshot& s) {
     return second != nullptr && !second->refusal(s) ? second : nullptr;
 }
 
-std::string_view key_of(const Action& a, const WindowPreferences& preferences) {
-    for (const auto& [name, key] : preferences.keys) {
-        if (name == a.name) return key;
+std::string_view chosen_key(std::string_view name, std::string_view standard,
+                            const WindowPreferences& preferences) {
+    for (const auto& [action, key] : preferences.keys) {
+        if (action == name && !key.empty()) return key;
     }
-    return a.key;
+    return standard;
+}
+
+std::string_view key_of(const Action& a, const WindowPreferences& preferences) {
+    return chosen_key(a.name, a.key, preferences);
 }
 
 const Action* owner_of(std::string_view key, const WindowPreferences& preferences) {

@@ -42,6 +42,9 @@ struct Action {
 /// The action that the advisor would take after the next one; null: there is none.
 [[nodiscard]] const Action* second_advice(const Snapshot& snapshot);
 
+/// The user's key of what is called `name`, else its standard one.
+[[nodiscard]] std::string_view chosen_key(std::string_view name, std::string_view standard,
+                                          const WindowPreferences& preferences);
 /// The key of an action: the user's, else the default.
 [[nodiscard]] std::string_view key_of(const Action& action, const WindowPreferences& preferences);
 /// Who has that key; null: nobody. Space belongs to the next action whatever the user set.

@@ -1,7 +1,8 @@
 #include "ui/views/view_keys.h"
 
-#include <algorithm>
 #include <array>
+
+#include "ui/views/actions.h"
 
 namespace gripscan::ui {
 
@@ -27,11 +28,7 @@ std::span<const ViewKey> view_keys() {
 std::optional<ViewCommand> view_command(std::string_view key,
                                         const WindowPreferences& preferences) {
     for (const ViewKey& candidate : view_keys()) {
-        const auto own =
-            std::find_if(preferences.keys.begin(), preferences.keys.end(),
-                         [&](const auto& pair) { return pair.first == candidate.name; });
-        const std::string_view bound =
-            own == preferences.keys.end() || own->second.empty() ? candidate.key : own->second;
+        const std::string_view bound = chosen_key(candidate.name, candidate.key, preferences);
         if (bound == key) return candidate.command;
     }
     return std::nullopt;

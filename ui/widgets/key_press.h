@@ -1,12 +1,16 @@
-// Which key was pressed, by its name as it is shown.
+// The keys of this frame, by the names under which the tables of keys know them.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace gripscan::ui {
 
-/// "C", "Ctrl Z", "F1", "Space", "Esc": pressed anew in this frame; empty: none, or a modifier
-/// alone.
-[[nodiscard]] std::string pressed_key();
+/// "C", "Ctrl+Z", "F1", "Space", "Esc": keys that went down in this frame. Letters are those that
+/// stand on the keys, whatever the layout; Esc is Esc with any other key.
+[[nodiscard]] std::vector<std::string> pressed_keys();
+
+/// The same for what keys do in the window: none while text is typed or a menu is open.
+[[nodiscard]] std::vector<std::string> command_keys();
 
 }  // namespace gripscan::ui

@@ -46,6 +46,8 @@ class View3dPanel : public testing::Test {
         ImGuiIO& io = ImGui::GetIO();
         io.KeyCtrl = ctrl;
         io.KeysDown[static_cast<int>(key)] = true;
+        // As a keyboard does: what is held with Ctrl types nothing.
+        if (!ctrl) io.AddInputCharacter(static_cast<unsigned char>(key));
         driver_->frame();
         io.KeysDown[static_cast<int>(key)] = false;
         io.KeyCtrl = false;
