@@ -24,6 +24,10 @@ Status FrameLoop::make_views() {
     auto parts = ui::make_screen_parts();
     if (!parts) return forward_error(parts.error());
     parts_ = std::move(*parts);
+    if (options_.frame_times.empty()) return {};
+    auto times = FrameTimesFile::make(options_.frame_times);
+    if (!times) return forward_error(times.error());
+    times_ = std::move(*times);
     return {};
 }
 
@@ -40,6 +44,7 @@ ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
         prepare_for(request);
         station_.take(request);
     }
+    if (times_) times_->note(input, requests.size());
     station_.set_splits(screen_.splits);
     take_window_wish(station_.window_wish());
     apply_preferences();

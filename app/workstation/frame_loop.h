@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/workstation/frame_times_file.h"
 #include "app/workstation/widget_list.h"
 #include "app/workstation/window_options.h"
 #include "app/workstation/workstation.h"
@@ -18,7 +19,8 @@ class FrameLoop {
     /// `window` and `station` outlive it.
     FrameLoop(ui::AppWindow& window, Workstation& station, const WindowOptions& options,
               std::optional<ui::ScriptPlayer> player);
-    /// What is drawn with OpenGL. Errors: the card cannot do it.
+    /// What is drawn with OpenGL, and the file of frame times. Errors: the card cannot do it, the
+    /// file cannot be written.
     [[nodiscard]] Status make_views();
 
     [[nodiscard]] ui::FrameWish frame(const ui::FrameInput& input);
@@ -37,6 +39,7 @@ class FrameLoop {
     const WindowOptions& options_;
     std::optional<ui::ScriptPlayer> player_;
     std::optional<WidgetList> widgets_;
+    std::optional<FrameTimesFile> times_;
     ui::ScreenState screen_;
     ui::ScreenParts parts_;
     ui::WindowPreferences applied_;

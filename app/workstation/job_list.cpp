@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/concurrency/thread_priority.h"
+
 namespace gripscan::app {
 
 void JobList::start(const std::string& name, Work work) {
@@ -14,6 +16,9 @@ void JobList::start(const std::string& name, Work work) {
     Job& job = *jobs_.back();
     job.name = name;
     job.thread = std::jthread([&job, wake = wake_, work = std::move(work)](std::stop_token stop) {
+        // What a job starts (a run's computing, the simulated cell) inherits it: the window's own
+        // thread comes first.
+        work_in_background();
         const Progress progress{
             std::move(stop), [&](std::string_view, std::size_t done, std::size_t total) {
                 if (total == 0) return;

@@ -59,8 +59,11 @@ void TurnLog::tell_phase(const ProcedureState& state) {
     if (trouble == trouble_told_) return;
     trouble_told_ = std::move(trouble);
     if (trouble_told_.empty()) return;
-    const bool link = std::holds_alternative<phase::Offline>(state.phase);
-    say(LogLevel::kError, link ? "LNK-010" : "RUN-010", trouble_told_);
+    if (std::holds_alternative<phase::Offline>(state.phase)) {
+        say(LogLevel::kError, "LNK-010", trouble_told_);
+    } else {
+        say(LogLevel::kWarning, "RUN-010", trouble_told_);
+    }
 }
 
 void TurnLog::tell_cell(const ProcedureState& state) {

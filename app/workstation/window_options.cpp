@@ -27,6 +27,10 @@ void add_window_options(CLI::App& app, WindowOptions& options) {
                    "Keep a list of the controls and their places in this file, JSON")
         ->option_text("FILE")
         ->group(kGroup);
+    app.add_option("--frame-times", options.frame_times,
+                   "Write how long each frame took into this file, CSV")
+        ->option_text("FILE")
+        ->group(kGroup);
     app.add_option("--size", options.size, "Size of the window, px")
         ->option_text("WIDTHxHEIGHT")
         ->group(kGroup);

@@ -77,7 +77,8 @@ struct TakeEvent {
         s.reading = e.reading;
         if (connecting->interrupted) {
             const Activity activity = *connecting->interrupted;
-            s.phase = phase::Interrupted{activity, "the link is back"};
+            s.phase = phase::Interrupted{
+                activity, "it was cut off here; the robot is connected again and it can go on"};
         } else {
             draft.judge_next();
         }
@@ -158,7 +159,7 @@ struct TakeEvent {
         s.rehearsed_joint6_rad.push_back(moving->target_rad());
         const double end_rad = draft.joint6_of(s.plan.total_rad);
         s.phase = same_angle(moving->target_rad(), end_rad) ? Phase{phase::Finished{}}
-                                                             : Phase{phase::Idle{}};
+                                                            : Phase{phase::Idle{}};
     }
 
     void operator()(const event::Exposed& e) const {

@@ -103,6 +103,19 @@ bool OutsideDriver::wait_for(const std::string& id, double patience_s) const {
            running();
 }
 
+std::optional<std::string> OutsideDriver::first_of(const std::vector<std::string>& ids,
+                                                   double patience_s) const {
+    std::optional<std::string> found;
+    (void)wait_until(patience_s, [&] {
+        for (const auto& id : ids) {
+            const auto control = find(id);
+            if (control && control->enabled) found = id;
+        }
+        return found || !running();
+    });
+    return found;
+}
+
 bool OutsideDriver::press(const std::string& id, int button, double patience_s) const {
     if (!wait_for(id, patience_s)) return false;
     const auto control = find(id);

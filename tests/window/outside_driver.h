@@ -33,6 +33,9 @@ class OutsideDriver {
     [[nodiscard]] std::optional<Control> find(const std::string& id) const;
     /// Waits until it is there and enabled; false: it did not come.
     [[nodiscard]] bool wait_for(const std::string& id, double patience_s = 120.0) const;
+    /// Waits until one of them is there and enabled: its name.
+    [[nodiscard]] std::optional<std::string> first_of(const std::vector<std::string>& ids,
+                                                      double patience_s = 120.0) const;
     /// Waits for it, then presses it.
     [[nodiscard]] bool click(const std::string& id, double patience_s = 120.0) const;
     /// The same for one that begins something: returns once it cannot be pressed any more.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <utility>
 
 #include "ui/gl/render_target.h"
@@ -26,6 +27,12 @@ constexpr double kCursorBlink_s = 0.4;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double thread_cpu_ms() {
+    timespec spent{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+    return 1e3 * static_cast<double>(spent.tv_sec) + 1e-6 * static_cast<double>(spent.tv_nsec);
 }
 
 }  // namespace
@@ -62,6 +69,7 @@ struct AppWindow::Parts {
 
     FrameWish draw(const Frame& frame, std::vector<std::filesystem::path> dropped) {
         const auto start = Clock::now();
+        const double cpu_start_ms = thread_cpu_ms();
         const auto size = window->framebuffer();
         painter->begin_frame(session->fonts_changed());
         ImGui_ImplGlfw_NewFrame();
@@ -70,7 +78,10 @@ struct AppWindow::Parts {
         Ui ui = session->frame_ui(log, seconds_since(opened));
         ui.large_buttons = large_buttons;
         begin_screen(ui, ui.theme.bg0);
-        FrameWish wish = frame({ui, size.width_px, size.height_px, last, std::move(dropped)});
+        const auto& released = ImGui::GetIO().MouseReleased;
+        const bool clicked = std::ranges::any_of(released, [](bool button) { return button; });
+        FrameWish wish =
+            frame({ui, size.width_px, size.height_px, last, clicked, std::move(dropped)});
         end_screen();
         ImGui::Render();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -81,6 +92,7 @@ struct AppWindow::Parts {
                    read_framebuffer_rgba(size.width_px, size.height_px));
         }
         last.own_ms = 1e3 * seconds_since(start);
+        last.cpu_ms = thread_cpu_ms() - cpu_start_ms;
         const auto swap_start = Clock::now();
         window->swap();
         last.swap_ms = 1e3 * seconds_since(swap_start);

@@ -26,6 +26,7 @@ struct WindowSettings {
 /// Where the time of a frame went.
 struct FrameTimes {
     double own_ms = 0.0;   ///< panels and drawing, as far as the processor did it
+    double cpu_ms = 0.0;   ///< processor time of this thread for them
     double swap_ms = 0.0;  ///< handing the picture over; a software rasteriser finishes here
     [[nodiscard]] double total_ms() const { return own_ms + swap_ms; }
 };
@@ -36,6 +37,7 @@ struct FrameInput {
     int width_px;
     int height_px;
     FrameTimes last;                             ///< of the frame before
+    bool clicked;                                ///< a mouse button was let go
     std::vector<std::filesystem::path> dropped;  ///< files dropped on the window since then
 };
 
