@@ -13,6 +13,8 @@ struct Moment {
     Pose T_tool_part = Pose::Identity();     ///< what is mounted, in tool0; identity: as mounted
     Pose T_camera_moved = Pose::Identity();  ///< the camera in the frame it had at the start
     bool intruder = false;                   ///< the strange thing is there, if the cell has one
+    bool tool = false;                       ///< the tool is left there, if the cell has one
+    Eigen::Vector3d surroundings_shift_m = Eigen::Vector3d::Zero();  ///< in WORLD
     double defocus_px = 0.0;                 ///< standard deviation of additional blur
     double glare_px = 0.0;                   ///< radius of a saturated spot; 0: none
 };

@@ -37,6 +37,7 @@ std::array<Pose, SceneModel::kBodies> body_poses(const JointAngles& joints_rad) 
     for (std::size_t i = 0; i < T_world_link.size(); ++i) T_world_body[1 + i] = T_world_link[i];
     T_world_body[SceneModel::kTool] = tool_pose(joints_rad);
     T_world_body[SceneModel::kIntruder] = Pose::Identity();
+    T_world_body[SceneModel::kLeftTool] = Pose::Identity();
     return T_world_body;
 }
 

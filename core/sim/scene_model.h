@@ -17,13 +17,14 @@ struct Body {
 };
 
 /// Body 0 is the surroundings (in WORLD), 1 the arm's base, 2 … 7 links 1 … 6, 8 what is mounted
-/// on the flange (in tool0), 9 a strange thing that may come (in WORLD).
+/// on the flange (in tool0), 9 a strange thing that may come, 10 a tool that may be left (in WORLD).
 struct SceneModel {
-    static constexpr std::size_t kBodies = 10;
+    static constexpr std::size_t kBodies = 11;
     static constexpr std::size_t kSurroundings = 0;
     static constexpr std::size_t kFlange = 7;
     static constexpr std::size_t kTool = 8;
     static constexpr std::size_t kIntruder = 9;
+    static constexpr std::size_t kLeftTool = 10;
     std::array<Body, kBodies> bodies;
 };
 

@@ -109,6 +109,18 @@ double StepFaults::intruder_m(double angle_rad) const {
     return intruder == nullptr ? 0.0 : intruder->amount / kMmPerM;
 }
 
+double StepFaults::tool_m(double angle_rad) const {
+    const Fault* tool = active(FaultKind::kTool, angle_rad);
+    return tool == nullptr ? 0.0 : tool->amount / kMmPerM;
+}
+
+Eigen::Vector3d StepFaults::surroundings_shift_m(double angle_rad) const {
+    const Fault* shift = active(FaultKind::kShift, angle_rad);
+    if (shift == nullptr) return Eigen::Vector3d::Zero();
+    SeededRandom random(SeededRandom(seed_ + 2).next());
+    return shift->amount / kMmPerM * random_direction(random);
+}
+
 double StepFaults::defocus_px(double angle_rad) const {
     const Fault* defocus = active(FaultKind::kDefocus, angle_rad);
     return defocus == nullptr ? 0.0 : defocus->amount;
@@ -124,6 +136,11 @@ double StepFaults::glare_px(double angle_rad, int attempt) const {
 double StepFaults::planned_intruder_m() const {
     const Fault* intruder = planned(FaultKind::kIntruder);
     return intruder == nullptr ? 0.0 : intruder->amount / kMmPerM;
+}
+
+double StepFaults::planned_tool_m() const {
+    const Fault* tool = planned(FaultKind::kTool);
+    return tool == nullptr ? 0.0 : tool->amount / kMmPerM;
 }
 
 double StepFaults::slack_m(double reach_m) const {

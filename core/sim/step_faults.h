@@ -26,6 +26,10 @@ class StepFaults {
     [[nodiscard]] Pose T_camera_moved(double angle_rad) const;
     /// Thickness of a strange thing in the registration area, m; 0: none.
     [[nodiscard]] double intruder_m(double angle_rad) const;
+    /// Length of a tool left in the registration area, m; 0: none.
+    [[nodiscard]] double tool_m(double angle_rad) const;
+    /// By how much everything that does not belong to the arm stands elsewhere, in WORLD.
+    [[nodiscard]] Eigen::Vector3d surroundings_shift_m(double angle_rad) const;
     /// Standard deviation of the additional blur; 0: none.
     [[nodiscard]] double defocus_px(double angle_rad) const;
     /// Radius of the saturated spot; 0: none.
@@ -33,6 +37,8 @@ class StepFaults {
 
     /// Thickness of the thing that comes at some angle; 0: none comes.
     [[nodiscard]] double planned_intruder_m() const;
+    /// Length of the tool that is left at some angle; 0: none is.
+    [[nodiscard]] double planned_tool_m() const;
     /// How far a point of the gripper, `reach_m` from the flange, may be moved by loose or slip.
     [[nodiscard]] double slack_m(double reach_m) const;
 

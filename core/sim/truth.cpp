@@ -44,6 +44,8 @@ ordered_json json_of_capture(const TruthSource& truth, int capture, const Moment
             {"T_camera_tool", row_major_from_pose(T_camera_part(truth.layout, moment))},
             {"T_world_camera", row_major_from_pose(T_world_camera(truth.layout, moment))},
             {"intruder", moment.intruder},
+            {"tool", moment.tool},
+            {"surroundings_shift_m", json_of(moment.surroundings_shift_m)},
             {"defocus_px", moment.defocus_px},
             {"glare_px", moment.glare_px}};
 }
