@@ -31,6 +31,8 @@ enum class FaultKind {
     kDefocus,
     kBump,
     kIntruder,
+    kObjectSlip,
+    kObjectTwist,
 };
 
 /// The moment of an exchange with the controller at which a fault of the link strikes: just before
