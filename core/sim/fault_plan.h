@@ -33,6 +33,8 @@ enum class FaultKind {
     kIntruder,
     kTool,
     kShift,
+    kObjectSlip,
+    kObjectTwist,
 };
 
 /// The moment of an exchange with the controller at which a fault of the link strikes: just before

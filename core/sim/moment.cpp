@@ -12,6 +12,7 @@ std::array<Pose, SceneModel::kBodies> body_poses(const Moment& moment) {
     if (!moment.intruder) T_world_body[SceneModel::kIntruder] = away;
     if (!moment.tool) T_world_body[SceneModel::kLeftTool] = away;
     T_world_body[SceneModel::kSurroundings].translation() = moment.surroundings_shift_m;
+    T_world_body[SceneModel::kObject] = T_world_body[SceneModel::kTool] * moment.T_part_object;
     return T_world_body;
 }
 

@@ -44,7 +44,8 @@ bool differ_by_turn_only(const Moment& a, const Moment& b) {
 
 bool same_picture(const Moment& a, const Moment& b) {
     return differ_by_turn_only(a, b) && a.true_rad == b.true_rad &&
-           a.T_tool_part.matrix() == b.T_tool_part.matrix();
+           a.T_tool_part.matrix() == b.T_tool_part.matrix() &&
+           a.T_part_object.matrix() == b.T_part_object.matrix();
 }
 
 }  // namespace

@@ -140,6 +140,8 @@ sim::Moment SimCell::Impl::look(const FrameRequest& request) const {
     sim::Moment moment;
     moment.true_rad = arm.true_rad;
     moment.T_tool_part = faults.T_tool_part(arm.joint6_rad);
+    moment.T_part_object =
+        model.T_tool_grasp * faults.T_grasp_object(arm.joint6_rad) * model.T_tool_grasp.inverse();
     moment.T_camera_moved = faults.T_camera_moved(arm.joint6_rad);
     moment.intruder = faults.intruder_m(arm.joint6_rad) > 0.0;
     moment.tool = faults.tool_m(arm.joint6_rad) > 0.0;

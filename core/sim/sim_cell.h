@@ -81,7 +81,9 @@ class SimCell {
     /// Writes truth.json (axis, rig, poses of the captures grabbed so far, in the camera frame),
     /// surface.ply (the true surface of gripper and object as a mesh) and visible.ply (points of it
     /// inside the region that both cameras have seen in at least one capture grabbed so far), both
-    /// in the camera frame of the first capture. At least one capture must have been grabbed.
+    /// in the camera frame of the first capture. Where an object is held, object_surface.ply and
+    /// object_visible.ply are the same of the object alone. At least one capture must have been
+    /// grabbed.
     [[nodiscard]] Status write_truth(const std::filesystem::path& folder) const;
 
   private:

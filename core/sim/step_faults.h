@@ -22,6 +22,9 @@ class StepFaults {
     [[nodiscard]] double true_joint6_rad(double angle_rad, bool rising) const;
     /// Where what is mounted stands in the flange's tool0; the identity: as it was mounted.
     [[nodiscard]] Pose T_tool_part(double angle_rad) const;
+    /// Where what is held stands in the frame of the grasp; the identity: as it was gripped. It
+    /// slides across the fingers' stroke x, which holds it, and turns about it.
+    [[nodiscard]] Pose T_grasp_object(double angle_rad) const;
     /// Where the camera stands now, in the frame it had at the start.
     [[nodiscard]] Pose T_camera_moved(double angle_rad) const;
     /// Thickness of a strange thing in the registration area, m; 0: none.
@@ -39,7 +42,7 @@ class StepFaults {
     [[nodiscard]] double planned_intruder_m() const;
     /// Length of the tool that is left at some angle; 0: none is.
     [[nodiscard]] double planned_tool_m() const;
-    /// How far a point of the gripper, `reach_m` from the flange, may be moved by loose or slip.
+    /// How far a point of gripper or object, `reach_m` from the flange, may be moved by faults.
     [[nodiscard]] double slack_m(double reach_m) const;
 
   private:

@@ -6,12 +6,14 @@
 namespace gripscan::ui {
 namespace {
 
-constexpr std::array<FaultName, 20> kNames{
+constexpr std::array<FaultName, 22> kNames{
     {{"ratio", "Joint 6 turns 1.05 times what its encoder says"},
      {"sign", "Joint 6 turns the other way"},
      {"backlash", "Joint 6 lags by 0.8 deg once its weight passes the top"},
      {"loose", "The gripper tilts on the flange by about 3 deg, another way at every angle"},
      {"slip", "The gripper has moved out of the flange by 2.5 mm"},
+     {"object_slip", "The object has slid between the fingers by 2 mm"},
+     {"object_twist", "The object has turned between the fingers by 3 deg"},
      {"bump", "The camera has shifted by 4 mm"},
      {"intruder", "A rod lies in the registration area"},
      {"tool", "A screwdriver is left in the registration area"},

@@ -27,7 +27,7 @@ TEST(FaultPlan, HasADefaultForEveryNameOfTheContract) {
         EXPECT_EQ(info_of(fault->kind).name, name);
         EXPECT_EQ(*fault, info_of(fault->kind).preset);
     }
-    EXPECT_EQ(fault_table().size(), 20U);
+    EXPECT_EQ(fault_table().size(), 22U);
     for (std::size_t i = 0; i < fault_table().size(); ++i) {
         EXPECT_EQ(static_cast<std::size_t>(fault_table()[i].preset.kind), i);
     }
