@@ -37,6 +37,8 @@ constexpr double kMostContradicted = 0.10;
 constexpr double kMostRms_m = 0.0015;
 /// Turns tried where the robot's angle does not lead to a match.
 constexpr int kSearchedTurns = 36;
+/// A gripper looks alike from opposite sides: another turn must fit better by this share.
+constexpr double kPlainlyBetter = 0.15;
 
 /// What of the template faces the camera with the gripper at T, in the camera frame.
 Cloud facing_part(const Cloud& thin, const Pose& T, const Eigen::Vector3f& viewpoint) {
@@ -130,15 +132,19 @@ bool convincing(const Shares& shares) {
            shares.contradicted <= kMostContradicted;
 }
 
-/// The best of many turns about the axis.
+/// The best of many turns about the axis; where the robot says must be plainly worse.
 Settled searched(const GripperTemplate& gripper, const Surface& scene, const DepthMap* map,
                  Settled best) {
+    Settled found;
     for (int k = 0; k < kSearchedTurns; ++k) {
         const double turn_rad = 2.0 * std::numbers::pi * k / kSearchedTurns;
         Settled other = settled_from(gripper, scene, map, turn_about(gripper.axis, turn_rad));
-        if (!best.part || score(other.shares) > score(best.shares)) best = std::move(other);
+        if (!other.part) continue;
+        if (!found.part || score(other.shares) > score(found.shares)) found = std::move(other);
     }
-    return best;
+    const bool plainly =
+        !best.part || (found.part && score(found.shares) > score(best.shares) + kPlainlyBetter);
+    return plainly ? std::move(found) : std::move(best);
 }
 
 /// With all points, from where it has settled; the part that faces the camera is taken anew.
