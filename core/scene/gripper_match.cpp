@@ -17,8 +17,8 @@ namespace {
 /// Cosine of the viewing angle up to which a template point is looked for.
 constexpr float kFacing = 0.3F;
 /// First reach of the search: an arm's pose may differ so much between two sessions.
-constexpr double kFirstGate_m = 0.012;
-constexpr double kLastGate_m = 0.003;
+constexpr double kFirstGate_m = 0.007;
+constexpr double kLastGate_m = 0.002;
 constexpr std::size_t kCoarsePoints = 1500;
 /// Last reach: what the gripper holds may lie some millimetres beside its own faces.
 constexpr double kFineGate_m = 0.0012;
@@ -98,6 +98,8 @@ Pose settle(const Surface& part, const Surface& scene, const Pose& start, Gates 
     settings.first_gate_m = gates.first_m;
     settings.last_gate_m = gates.last_m;
     settings.tolerance = 1e-5;
+    settings.shrink = 0.85;
+    settings.iterations = 40;
     return refine(part, scene, {part_sample, scene_sample}, start, settings);
 }
 
@@ -154,7 +156,8 @@ void finish(const GripperTemplate& gripper, const Surface& scene, const DepthMap
     const auto part = make_surface(facing_part(gripper.thin, settled.T_camera_gripper, viewpoint));
     if (!part) return;
     const Pose fine =
-        settle(*part, scene, Pose::Identity(), {kLastGate_m, kFineGate_m}, kFinePoints);
+        settle(*part, scene, Pose::Identity(),
+               {kLastGate_m, std::max(kFineGate_m, 1.5 * scene.spacing_m)}, kFinePoints);
     match_found.T_camera_gripper = fine * settled.T_camera_gripper;
     const Shares shares = shares_at(*part, scene, map, fine);
     match_found.matched = shares.matched;
