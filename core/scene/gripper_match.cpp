@@ -17,8 +17,8 @@ namespace {
 /// Cosine of the viewing angle up to which a template point is looked for.
 constexpr float kFacing = 0.3F;
 /// First reach of the search: an arm's pose may differ so much between two sessions.
-constexpr double kFirstGate_m = 0.012;
-constexpr double kLastGate_m = 0.003;
+constexpr double kFirstGate_m = 0.007;
+constexpr double kLastGate_m = 0.002;
 constexpr std::size_t kCoarsePoints = 1500;
 /// Last reach: what the gripper holds may lie some millimetres beside its own faces.
 constexpr double kFineGate_m = 0.0012;
@@ -37,6 +37,8 @@ constexpr double kMostContradicted = 0.10;
 constexpr double kMostRms_m = 0.0015;
 /// Turns tried where the robot's angle does not lead to a match.
 constexpr int kSearchedTurns = 36;
+/// A gripper looks alike from opposite sides: another turn must fit better by this share.
+constexpr double kPlainlyBetter = 0.15;
 
 /// What of the template faces the camera with the gripper at T, in the camera frame.
 Cloud facing_part(const Cloud& thin, const Pose& T, const Eigen::Vector3f& viewpoint) {
@@ -96,6 +98,8 @@ Pose settle(const Surface& part, const Surface& scene, const Pose& start, Gates 
     settings.first_gate_m = gates.first_m;
     settings.last_gate_m = gates.last_m;
     settings.tolerance = 1e-5;
+    settings.shrink = 0.85;
+    settings.iterations = 40;
     return refine(part, scene, {part_sample, scene_sample}, start, settings);
 }
 
@@ -130,15 +134,19 @@ bool convincing(const Shares& shares) {
            shares.contradicted <= kMostContradicted;
 }
 
-/// The best of many turns about the axis.
+/// The best of many turns about the axis; where the robot says must be plainly worse.
 Settled searched(const GripperTemplate& gripper, const Surface& scene, const DepthMap* map,
                  Settled best) {
+    Settled found;
     for (int k = 0; k < kSearchedTurns; ++k) {
         const double turn_rad = 2.0 * std::numbers::pi * k / kSearchedTurns;
         Settled other = settled_from(gripper, scene, map, turn_about(gripper.axis, turn_rad));
-        if (!best.part || score(other.shares) > score(best.shares)) best = std::move(other);
+        if (!other.part) continue;
+        if (!found.part || score(other.shares) > score(found.shares)) found = std::move(other);
     }
-    return best;
+    const bool plainly =
+        !best.part || (found.part && score(found.shares) > score(best.shares) + kPlainlyBetter);
+    return plainly ? std::move(found) : std::move(best);
 }
 
 /// With all points, from where it has settled; the part that faces the camera is taken anew.
@@ -148,7 +156,8 @@ void finish(const GripperTemplate& gripper, const Surface& scene, const DepthMap
     const auto part = make_surface(facing_part(gripper.thin, settled.T_camera_gripper, viewpoint));
     if (!part) return;
     const Pose fine =
-        settle(*part, scene, Pose::Identity(), {kLastGate_m, kFineGate_m}, kFinePoints);
+        settle(*part, scene, Pose::Identity(),
+               {kLastGate_m, std::max(kFineGate_m, 1.5 * scene.spacing_m)}, kFinePoints);
     match_found.T_camera_gripper = fine * settled.T_camera_gripper;
     const Shares shares = shares_at(*part, scene, map, fine);
     match_found.matched = shares.matched;
