@@ -49,8 +49,8 @@ Pose random_place(SeededRandom& random, double near_m, double far_m) {
     Pose T = Pose::Identity();
     T.linear() = random_rotation(random);
     const double z = random.uniform(near_m, far_m);
-    T.translation() = {random.uniform(-0.20, 0.12) * z / 0.74,
-                       random.uniform(-0.16, 0.16) * z / 0.74, z};
+    T.translation() = Eigen::Vector3d(random.uniform(-0.20, 0.12) * z / 0.74,
+                                      random.uniform(-0.16, 0.16) * z / 0.74, z);
     return T;
 }
 

@@ -35,8 +35,8 @@ TEST(Grasp, RepeatsThePoseInWhichTheObjectWasHeld) {
 
 TEST(Grasp, FollowsTheObject) {
     Grasp grasp;
-    grasp.T_tool_gripper.translation() = {0.0, 0.0, 0.1};
-    grasp.T_gripper_object.translation() = {0.02, 0.0, 0.03};
+    grasp.T_tool_gripper.translation() = Eigen::Vector3d(0.0, 0.0, 0.1);
+    grasp.T_gripper_object.translation() = Eigen::Vector3d(0.02, 0.0, 0.03);
     Pose object = tool_pose(kJoints) * grasp.T_tool_gripper * grasp.T_gripper_object;
     object.translation() += Eigen::Vector3d(0.03, -0.02, 0.01);
     const GraspPose moved = grasp_pose(object, grasp, kJoints);
@@ -57,7 +57,7 @@ TEST(Grasp, OfASymmetricObjectTheNearestWayIsTaken) {
 
 TEST(Grasp, OutOfReachItSaysSo) {
     Pose far = Pose::Identity();
-    far.translation() = {1.6, 0.0, 0.4};
+    far.translation() = Eigen::Vector3d(1.6, 0.0, 0.4);
     const GraspPose pose = grasp_pose(far, {}, kJoints);
     EXPECT_FALSE(pose.reach.reachable);
     EXPECT_NE(pose.reach.sentence.find("out of reach"), std::string::npos);

@@ -67,7 +67,7 @@ TEST_F(LibraryTest, TheSameShapeElsewhereIsRefusedAndAnotherShapeIsNot) {
     ASSERT_TRUE(add(saved(part(1), "a.pcd"), "arm"));
     Pose T = Pose::Identity();
     T.linear() = rotation_from_vector({0.9, -1.1, 0.4});
-    T.translation() = {0.3, -0.2, 0.7};
+    T.translation() = Eigen::Vector3d(0.3, -0.2, 0.7);
     const auto turned = add(saved(transformed(part(1), T), "b.pcd"), "leg");
     ASSERT_FALSE(turned);
     EXPECT_NE(turned.error().message.find("same shape"), std::string::npos)

@@ -25,7 +25,7 @@ namespace gripscan::test {
                 T_camera_part.linear() = Eigen::Quaterniond::FromTwoVectors(
                                              Eigen::Vector3d(x, y, z), Eigen::Vector3d::UnitZ())
                                              .toRotationMatrix();
-                T_camera_part.translation() = {0.0, 0.0, 0.6};
+                T_camera_part.translation() = Eigen::Vector3d(0.0, 0.0, 0.6);
                 const Cloud seen =
                     transformed(view_of(part, T_camera_part, settings, 1), T_camera_part.inverse());
                 all.points.insert(all.points.end(), seen.points.begin(), seen.points.end());

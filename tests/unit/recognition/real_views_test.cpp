@@ -128,7 +128,7 @@ std::map<std::string, Pose> bunny_poses(const fs::path& file) {
         Pose T = Pose::Identity();
         T.linear() =
             Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized().toRotationMatrix().transpose();
-        T.translation() = {t[0], t[1], t[2]};
+        T.translation() = Eigen::Vector3d(t[0], t[1], t[2]);
         poses[name] = T;
     }
     return poses;

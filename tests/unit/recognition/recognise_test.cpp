@@ -27,7 +27,7 @@ test::ViewSettings wide_view() {
 
 Pose somewhere(SeededRandom& random, double x_m) {
     Pose T = test::random_pose(random, 3.1);
-    T.translation() = {x_m, random.uniform(-0.04, 0.04), random.uniform(0.55, 0.7)};
+    T.translation() = Eigen::Vector3d(x_m, random.uniform(-0.04, 0.04), random.uniform(0.55, 0.7));
     return T;
 }
 
@@ -37,10 +37,10 @@ std::vector<std::pair<SolidPart, Pose>> clutter() {
     const SolidPart wall{{{kBox, Eigen::Vector3d::Zero(), {0.5, 0.5, 0.01}}}};
     const SolidPart box{{{kBox, Eigen::Vector3d::Zero(), {0.03, 0.025, 0.04}}}};
     Pose behind = Pose::Identity();
-    behind.translation() = {0.0, 0.0, 0.85};
+    behind.translation() = Eigen::Vector3d(0.0, 0.0, 0.85);
     Pose beside = Pose::Identity();
     beside.linear() = rotation_from_vector({0.4, 0.7, -0.3});
-    beside.translation() = {0.02, 0.10, 0.62};
+    beside.translation() = Eigen::Vector3d(0.02, 0.10, 0.62);
     return {{wall, behind}, {box, beside}};
 }
 
@@ -88,12 +88,12 @@ TEST_F(Recognise, FindsAPartThatIsHalfHidden) {
     using enum test::Primitive::Kind;
     SeededRandom random(21);
     Pose T = somewhere(random, 0.0);
-    T.translation() = {0.0, 0.0, 0.62};
+    T.translation() = Eigen::Vector3d(0.0, 0.0, 0.62);
     auto scene = clutter();
     scene.emplace_back(parts()[0], T);
     const SolidPart post{{{kBox, Eigen::Vector3d::Zero(), {0.02, 0.2, 0.005}}}};
     Pose in_front = Pose::Identity();
-    in_front.translation() = {-0.01, 0.0, 0.45};
+    in_front.translation() = Eigen::Vector3d(-0.01, 0.0, 0.45);
     scene.emplace_back(post, in_front);
     const auto found =
         recognise(models(), test::view_of_all(scene, wide_view(), 21), {}, {}, for_each_in_order);
