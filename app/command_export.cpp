@@ -5,7 +5,7 @@
 #include "app/console.h"
 #include "app/results_of.h"
 #include "core/cloud/cloud_file.h"
-#include "core/report/axis_frame.h"
+#include "core/geometry/axis_frame.h"
 #include "core/report/report_json.h"
 
 namespace gripscan::app {

@@ -24,6 +24,9 @@ void add_export(const CommandLine& line);
 void add_report(const CommandLine& line);
 void add_robot_check(const CommandLine& line);
 void add_simcell(const CommandLine& line);
+void add_recognise(const CommandLine& line);
+void add_library(const CommandLine& line);
+void add_exam(const CommandLine& line);
 
 /// For a command that only groups others, once those are added: without one it names them.
 void need_subcommand(CLI::App& group);

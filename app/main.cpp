@@ -79,6 +79,9 @@ int parse_and_run(int argc, char** argv) {
     add_report(line);
     add_robot_check(line);
     add_simcell(line);
+    add_recognise(line);
+    add_library(line);
+    add_exam(line);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

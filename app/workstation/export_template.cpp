@@ -6,7 +6,7 @@
 #include "core/base/units.h"
 
 #include "core/cloud/cloud_file.h"
-#include "core/report/axis_frame.h"
+#include "core/geometry/axis_frame.h"
 
 namespace gripscan::app {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/number_text.h"
+#include "core/session/cell_file.h"
 #include "core/session/yaml_parts.h"
 
 namespace gripscan {
@@ -23,6 +24,12 @@ constexpr std::array<std::pair<const char*, double AlignmentFile::*>, 7> kNumber
      {"reprojection_px", &AlignmentFile::reprojection_px},
      {"sd_mm", &AlignmentFile::sd_mm},
      {"sd_deg", &AlignmentFile::sd_deg}}};
+
+/// By the format it claims; what it is worth its own reader says.
+bool is_cell_file(const std::filesystem::path& path) {
+    const auto text = read_whole_file(path);
+    return text && text->find("gripscan-cell/1") != std::string::npos;
+}
 
 }  // namespace
 
@@ -58,6 +65,13 @@ Result<AlignmentFile> load_alignment(const std::filesystem::path& path) {
 }
 
 Result<Pose> load_robot_camera(const std::filesystem::path& path) {
+    if (is_cell_file(path)) {
+        const auto cell = load_cell_file(path);
+        if (!cell) return forward_error(cell.error());
+        if (cell->T_robot_camera) return *cell->T_robot_camera;
+        return input_error("the cell file {} does not say where the camera stands (alignment)",
+                           path.string());
+    }
     const auto file = load_alignment(path);
     if (!file) return forward_error(file.error());
     if (file->T_robot_camera) return *file->T_robot_camera;

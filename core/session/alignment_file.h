@@ -36,7 +36,8 @@ struct AlignmentFile {
 /// of T_robot_camera and T_flange_camera must be there; everything else may be missing.
 [[nodiscard]] Result<AlignmentFile> load_alignment(const std::filesystem::path& path);
 
-/// T_robot_camera of an alignment file. Errors: as above, or a camera on the flange.
+/// T_robot_camera of an alignment file or a cell file. Errors: as above, a camera on the flange, a
+/// cell file that does not say it.
 [[nodiscard]] Result<Pose> load_robot_camera(const std::filesystem::path& path);
 
 }  // namespace gripscan

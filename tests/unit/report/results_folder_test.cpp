@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/cloud/cloud_file.h"
-#include "core/report/axis_frame.h"
+#include "core/geometry/axis_frame.h"
 #include "tests/support/synthetic_session.h"
 #include "tests/unit/report/sample_report.h"
 

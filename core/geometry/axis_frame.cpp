@@ -1,4 +1,4 @@
-#include "core/report/axis_frame.h"
+#include "core/geometry/axis_frame.h"
 
 #include <cmath>
 
