@@ -59,10 +59,17 @@ void add_cell_options(CLI::App& command, CellOptions& options) {
     command.add_option("--gripper-model", options.gripper_model, "Simulated gripper")
         ->check(CLI::IsMember(sim_grippers()))
         ->option_text(joined(sim_grippers(), "|"));
-    command.add_option("--fault", options.faults,
-                       "Of the simulated cell, see docs/faults.md; may be given several times")
+    command
+        .add_option("--fault", options.faults,
+                    "Of the simulated cell, see docs/faults.md; may be given several times")
         ->allow_extra_args(false)
         ->option_text("NAME[@STEP][=VALUE]");
+}
+
+void add_object_option(CLI::App& command, CellOptions& options) {
+    command.add_option("--object", options.object, "What the simulated gripper holds")
+        ->check(CLI::IsMember(sim_objects()))
+        ->option_text(joined(sim_objects(), "|"));
 }
 
 Status check(const CellOptions& options) {
@@ -72,9 +79,11 @@ Status check(const CellOptions& options) {
     if (options.simulated() && options.live) {
         return input_error("--live is for a real controller; the simulated cell moves without it");
     }
-    if (!options.simulated() && (!options.faults.empty() || !options.gripper_model.empty())) {
-        return input_error("--fault and --gripper-model belong to the simulated cell, not to {}",
-                           options.cell);
+    if (!options.simulated() &&
+        (!options.faults.empty() || !options.gripper_model.empty() || !options.object.empty())) {
+        return input_error(
+            "--fault, --gripper-model and --object belong to the simulated cell, not to {}",
+            options.cell);
     }
     return {};
 }
@@ -85,6 +94,7 @@ JournalFields journal_fields(const CellOptions& options) {
                          {"step_deg", text_from_number(options.step_deg)},
                          {"seed", fmt::format("{}", options.seed)},
                          {"gripper_model", options.gripper_model},
+                         {"object", options.object},
                          {"faults", joined(options.faults, " ")}};
     if (options.speed_percent) {
         fields.emplace_back("speed_percent", text_from_number(*options.speed_percent));
@@ -101,6 +111,7 @@ Result<CellOptions> cell_options_from(const JournalFields& fields) {
             options.manual = value == word(MotionMode::kManual);
         }
         if (name == "gripper_model") options.gripper_model = value;
+        if (name == "object") options.object = value;
         if (name == "faults") options.faults = split(value, ' ');
         if (name == "seed") options.seed = std::strtoull(value.c_str(), nullptr, 10);
         if (name != "step_deg" && name != "speed_percent") continue;

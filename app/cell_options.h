@@ -24,6 +24,7 @@ struct CellOptions {
     // Of the simulated cell.
     std::uint64_t seed = 1;
     std::string gripper_model;
+    std::string object;  ///< in the simulated gripper; empty: nothing
     std::vector<std::string> faults;
 
     [[nodiscard]] bool simulated() const { return cell == "sim"; }
@@ -31,6 +32,8 @@ struct CellOptions {
 };
 
 void add_cell_options(CLI::App& command, CellOptions& options);
+/// What the simulated gripper holds.
+void add_object_option(CLI::App& command, CellOptions& options);
 
 /// Combinations that make no sense: --live of the simulated cell, seeds of a real one, …
 [[nodiscard]] Status check(const CellOptions& options);

@@ -16,12 +16,16 @@ struct RunOptions {
     CellOptions cell;
     std::string out;
     std::string truth;
+    std::string gripper;  ///< of an object's turn
     bool resume = false;
     TurnOptions turn;
 };
 
 Status check_run(const RunOptions& options) {
     if (Status sensible = check(options.cell); !sensible) return sensible;
+    if (!options.gripper.empty() && options.resume) {
+        return input_error("a resumed session names its gripper itself: leave --gripper out");
+    }
     if (options.truth.empty()) return {};
     if (!options.cell.simulated() || options.resume) {
         return input_error(
@@ -58,20 +62,76 @@ Result<ExitStatus> finish(TurnRun& run, const DrivenTurn& driven, const RunOptio
     return kNotTrusted;
 }
 
-Result<ExitStatus> run_gripper(const RunOptions& options, const Context& context) {
+Result<ExitStatus> run_turn(const RunOptions& options, std::string_view what,
+                            const Context& context) {
     if (Status sensible = check_run(options); !sensible) return forward_error(sensible.error());
-    auto run = TurnRun::open(
-        {options.cell, options.out, options.resume, options.turn, thread_count(context)}, {},
-        context.stop);
+    TurnRunOptions run_options{.cell = options.cell,
+                               .out = options.out,
+                               .gripper = options.gripper,
+                               .resume = options.resume,
+                               .turn = options.turn,
+                               .threads = thread_count(context)};
+    auto run = TurnRun::open(run_options, {}, context.stop);
     if (!run) return forward_error(run.error());
     const auto driven = drive_turn((*run)->engine(), {(*run)->resumed()}, context);
     if (!driven) {
-        say(context, fmt::format("what was recorded lies in {}; go on with: gripscan run gripper "
+        say(context, fmt::format("what was recorded lies in {}; go on with: gripscan run {} "
                                  "--resume --out {}",
-                                 options.out, options.out));
+                                 options.out, what, options.out));
         return forward_error(driven.error());
     }
     return finish(**run, *driven, options, context);
+}
+
+Result<ExitStatus> run_object(const RunOptions& options, const Context& context) {
+    if (options.gripper.empty() && !options.resume) {
+        return input_error(
+            "--gripper is missing: the template of the gripper that holds the object, as `gripscan "
+            "run gripper` leaves it in results/template.pcd");
+    }
+    if (options.cell.simulated() && options.cell.object.empty() && !options.resume) {
+        return input_error("--object is missing: what the simulated gripper holds");
+    }
+    return run_turn(options, "object", context);
+}
+
+/// The options of every turn.
+void add_turn_run_options(CLI::App& command, RunOptions& options, CommonOptions& common) {
+    add_cell_options(command, options.cell);
+    command.add_option("--out", options.out, "Session folder to record into")
+        ->required()
+        ->option_text("DIR");
+    command.add_flag("--resume", options.resume,
+                     "Go on with the session in --out where it was interrupted");
+    command.add_option("--truth", options.truth, "Write the simulator's truth there, apart")
+        ->option_text("DIR");
+    add_turn_options(command, options.turn);
+    add_common_options(command, common);
+}
+
+void add_run_object(CLI::App& run, const CommandLine& line) {
+    auto options = std::make_shared<RunOptions>();
+    CLI::App* command = run.add_subcommand(
+        "object",
+        "Register an object in the gripper: the gripper's template is matched into every "
+        "capture and taken away, the rest is the object");
+    command
+        ->add_option("--gripper", options->gripper,
+                     "Template of the gripper, with what lies beside it; or its session folder")
+        ->option_text("TEMPLATE");
+    add_object_option(*command, options->cell);
+    add_turn_run_options(*command, *options, line.common);
+    command->footer(
+        "Examples:\n"
+        "  gripscan run object --cell sim --gripper monday --object carton --out carton\n"
+        "  gripscan run object --out carton --resume\n"
+        "  gripscan run object --cell cell.yaml --gripper monday/results/template.pcd --out part "
+        "--live\n"
+        "\n"
+        "No verdict and no stop of gripscan is a safety function.");
+    command->callback([options, &action = line.action] {
+        action = [options](const Context& context) { return run_object(*options, context); };
+    });
 }
 
 }  // namespace
@@ -80,16 +140,8 @@ void add_run(const CommandLine& line) {
     auto options = std::make_shared<RunOptions>();
     CLI::App* run = line.app.add_subcommand("run", "The procedure without a window");
     CLI::App* command = run->add_subcommand("gripper", "Register the bare gripper by a whole turn");
-    add_cell_options(*command, options->cell);
-    command->add_option("--out", options->out, "Session folder to record into")
-        ->required()
-        ->option_text("DIR");
-    command->add_flag("--resume", options->resume,
-                      "Go on with the session in --out where it was interrupted");
-    command->add_option("--truth", options->truth, "Write the simulator's truth there, apart")
-        ->option_text("DIR");
-    add_turn_options(*command, options->turn);
-    add_common_options(*command, line.common);
+    add_turn_run_options(*command, *options, line.common);
+    add_run_object(*run, line);
     command->footer(
         "Examples:\n"
         "  gripscan run gripper --cell sim --out monday --seed 3\n"
@@ -99,7 +151,9 @@ void add_run(const CommandLine& line) {
         "\n"
         "No verdict and no stop of gripscan is a safety function.");
     command->callback([options, &action = line.action] {
-        action = [options](const Context& context) { return run_gripper(*options, context); };
+        action = [options](const Context& context) {
+            return run_turn(*options, "gripper", context);
+        };
     });
     need_subcommand(*run);
 }

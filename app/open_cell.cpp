@@ -23,6 +23,7 @@ Result<Cell> open_simulated(const CellOptions& options) {
     SimCellSettings settings;
     settings.seed = options.seed;
     if (!options.gripper_model.empty()) settings.gripper = options.gripper_model;
+    settings.object = options.object;
     settings.faults = options.faults;
     settings.step_deg = options.step_deg;
     settings.time_scale = kTimeScale;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console.h"
+#include "app/session_settings.h"
 #include "core/base/units.h"
 #include "core/report/results_folder.h"
 
@@ -31,11 +32,11 @@ Json cell_check_json(const ProcedureState& state) {
 Status RunResults::keep(const ComputedTurn& turn) {
     auto session = open_session(session_);
     if (!session) return forward_error(session.error());
-    ComputeTurnSettings settings = compute_settings_of(*session);
-    options_.apply_to(settings);
+    auto settings = session_settings(*session, options_);
+    if (!settings) return forward_error(settings.error());
     Status written = write_results(session_ / "results", turn.report,
-                                   Provenance{*session, settings, GRIPSCAN_VERSION});
-    if (written) work_.emplace(TurnWork{std::move(*session), settings, turn});
+                                   Provenance{*session, *settings, GRIPSCAN_VERSION, turn.held});
+    if (written) work_.emplace(TurnWork{std::move(*session), std::move(*settings), turn});
     return written;
 }
 
@@ -66,9 +67,9 @@ void tell_rehearsal(const ProcedureState& state, const Context& context) {
         return;
     }
     if (context.options.quiet) return;
-    print_result(fmt::format(
-        "DRY: {} motions were written down, none was sent; with --live the arm moves\n",
-        state.rehearsed_joint6_rad.size()));
+    print_result(
+        fmt::format("DRY: {} motions were written down, none was sent; with --live the arm moves\n",
+                    state.rehearsed_joint6_rad.size()));
 }
 
 void tell_refusal(const ProcedureState& state, const Context& context) {

@@ -11,7 +11,7 @@ namespace gripscan::app {
 
 Result<Pose> tool_frame(const std::filesystem::path& folder,
                         const std::filesystem::path& alignment) {
-    const auto T_robot_camera = load_alignment(alignment);
+    const auto T_robot_camera = load_robot_camera(alignment);
     if (!T_robot_camera) return forward_error(T_robot_camera.error());
     const auto session = open_session(folder);
     if (!session) return forward_error(session.error());

@@ -20,6 +20,16 @@ std::string method_number(std::string& text) {
     return {};
 }
 
+/// The same for how the gripper is taken away.
+std::string trim_number(std::string& text) {
+    for (const TrimBy trim : {TrimBy::kAuto, TrimBy::kCuboid, TrimBy::kSurface}) {
+        if (text != word(trim)) continue;
+        text = std::to_string(static_cast<int>(trim));
+        return {};
+    }
+    return fmt::format("'{}' is none of auto, cuboid, surface", text);
+}
+
 }  // namespace
 
 PaperIcpSettings PaperIcpOptions::settings() const {
@@ -34,6 +44,7 @@ void TurnOptions::apply_to(ComputeTurnSettings& settings) const {
     settings.turn.method = method;
     settings.turn.paper_icp = icp.settings();
     settings.crop = !no_crop;
+    settings.split.trim = trim;
 }
 
 void add_method_options(CLI::App& command, TurnMethod& method, PaperIcpOptions& icp) {
@@ -59,6 +70,12 @@ void add_method_options(CLI::App& command, TurnMethod& method, PaperIcpOptions& 
 
 void add_turn_options(CLI::App& command, TurnOptions& options) {
     add_method_options(command, options.method, options.icp);
+    command
+        .add_option("--trim", options.trim,
+                    "Of an object's turn, how the gripper is taken away: by its cuboid, by its "
+                    "surface, or by the cuboid unless that takes much of the object (auto)")
+        ->transform(CLI::Validator(trim_number, ""))
+        ->option_text("auto|cuboid|surface");
     command.add_flag("--no-crop", options.no_crop, "Keep points outside the region after matching");
 }
 

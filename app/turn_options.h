@@ -19,6 +19,7 @@ struct TurnOptions {
     TurnMethod method = TurnMethod::kTurn;
     PaperIcpOptions icp;
     bool no_crop = false;
+    TrimBy trim = TrimBy::kAuto;  ///< of an object's turn
     /// Changes the settings that the session gave.
     void apply_to(ComputeTurnSettings& settings) const;
 };

@@ -1,6 +1,8 @@
 #include "app/turn_run.h"
 
+#include "app/session_settings.h"
 #include "core/procedure/region_stillness.h"
+#include "core/report/gripper_template_file.h"
 
 namespace gripscan::app {
 
@@ -41,9 +43,16 @@ Result<std::unique_ptr<TurnRun>> TurnRun::open(const TurnRunOptions& options,
                                                const std::stop_token& stop) {
     std::unique_ptr<TurnRun> run;
     if (!options.resume || is_fresh_session(options.out)) {
+        std::optional<std::string> gripper;
+        if (!options.gripper.empty()) {
+            gripper = name_of_template(options.out, options.gripper);
+            // Before anything is made: a template that cannot be used is the likeliest mistake.
+            auto usable = load_gripper_template(options.out, *gripper);
+            if (!usable) return forward_error(usable.error());
+        }
         auto cell = open_cell(options.cell);
         if (!cell) return forward_error(cell.error());
-        auto session = begin_session(options.out, options.cell, *cell);
+        auto session = begin_session(options.out, options.cell, *cell, gripper);
         if (!session) return forward_error(session.error());
         run.reset(new TurnRun(std::move(*cell), std::move(*session), options.cell, false));
     } else {
@@ -73,10 +82,10 @@ Status TurnRun::start(const TurnRunOptions& options, TurnRunViewers viewers,
     camera_ = std::make_unique<SharedSource>(*cell_.camera, std::move(viewers.frame));
     pool_ = std::make_unique<WorkerPool>(options.threads);
     keeper_ = std::make_unique<Keeper>(options, std::move(viewers.solved));
-    ComputeTurnSettings settings =
-        compute_settings_of(Session{options.out, session_.spec, cell_.rig, {}});
-    options.turn.apply_to(settings);
-    auto workspace = TurnWorkspace::create(cell_.rig, session_.spec.region, settings);
+    auto settings =
+        session_settings(Session{options.out, session_.spec, cell_.rig, {}}, options.turn);
+    if (!settings) return forward_error(settings.error());
+    auto workspace = TurnWorkspace::create(cell_.rig, session_.spec.region, *settings);
     if (!workspace) return forward_error(workspace.error());
     auto differs = region_stillness(cell_.rig, session_.spec.region);
     if (!differs) return forward_error(differs.error());

@@ -18,6 +18,9 @@ namespace gripscan::app {
 struct TurnRunOptions {
     CellOptions cell;
     std::filesystem::path out;  ///< the session folder
+    /// Of an object's turn that begins: the template of the gripper that holds it, or the session
+    /// that it was registered in. Empty: the gripper's own turn.
+    std::filesystem::path gripper;
     bool resume = false;
     TurnOptions turn;
     unsigned threads = 1;

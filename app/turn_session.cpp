@@ -56,8 +56,11 @@ Status read_entry(const JournalEntry& entry, Entries& read) {
 }  // namespace
 
 Result<TurnSession> begin_session(const std::filesystem::path& folder, const CellOptions& options,
-                                  const Cell& cell) {
+                                  const Cell& cell,
+                                  const std::optional<std::string>& gripper_template) {
     SessionSpec spec;
+    if (gripper_template) spec.kind = SessionKind::kObject;
+    spec.gripper_template = gripper_template;
     spec.step_deg = options.step_deg;
     spec.region = cell.region;
     spec.axis_hint = cell.axis_hint;

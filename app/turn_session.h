@@ -18,9 +18,11 @@ struct TurnSession {
     ProcedureState state;
 };
 
-/// Makes the folder and begins its journal: which cell, and the plan.
-[[nodiscard]] Result<TurnSession> begin_session(const std::filesystem::path& folder,
-                                                const CellOptions& options, const Cell& cell);
+/// Makes the folder and begins its journal: which cell, and the plan. With a gripper's template (as
+/// the session shall name it) it is the turn of an object.
+[[nodiscard]] Result<TurnSession> begin_session(
+    const std::filesystem::path& folder, const CellOptions& options, const Cell& cell,
+    const std::optional<std::string>& gripper_template = std::nullopt);
 
 /// What a resumed session says about its cell, before that is opened.
 struct RememberedSession {

@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "app/progress_bar.h"
+#include "app/session_settings.h"
 #include "app/threads.h"
 #include "core/report/results_folder.h"
 #include "core/report/table1_text.h"
@@ -13,29 +14,27 @@ Result<TurnWork> compute_session(const fs::path& folder, const TurnOptions& opti
                                  const Context& context) {
     auto session = open_session(folder);
     if (!session) return forward_error(session.error());
-    if (session->spec.kind != SessionKind::kGripper) {
-        return input_error(
-            "{}: a session of kind {} cannot be computed by this version; kind "
-            "gripper can",
-            (folder / "session.yaml").string(), word(session->spec.kind));
+    if (session->spec.kind != SessionKind::kGripper && session->spec.kind != SessionKind::kObject) {
+        return input_error("{}: a session of kind {} is no turn; kinds gripper and object are",
+                           (folder / "session.yaml").string(), word(session->spec.kind));
     }
+    auto settings = session_settings(*session, options);
+    if (!settings) return forward_error(settings.error());
     WorkerPool pool(thread_count(context));
     ProgressBar bar(context);
     const Progress progress = bar.progress();
     if (Status checked = check_session_files(*session, progress, pool.for_each()); !checked) {
         return forward_error(checked.error());
     }
-    ComputeTurnSettings settings = compute_settings_of(*session);
-    options.apply_to(settings);
-    auto computed = compute_turn(recording_of(*session), settings, progress, pool.for_each());
+    auto computed = compute_turn(recording_of(*session), *settings, progress, pool.for_each());
     if (!computed) return forward_error(computed.error());
-    return TurnWork{std::move(*session), settings, std::move(*computed)};
+    return TurnWork{std::move(*session), std::move(*settings), std::move(*computed)};
 }
 
 Result<ExitStatus> deliver(const TurnWork& work, const fs::path& out, const Context& context) {
     if (context.stop.stop_requested()) return cancelled_error();
     const TurnReport& report = work.computed.report;
-    const Provenance from{work.session, work.settings, GRIPSCAN_VERSION};
+    const Provenance from{work.session, work.settings, GRIPSCAN_VERSION, work.computed.held};
     if (Status written = write_results(out, report, from); !written) {
         return forward_error(written.error());
     }

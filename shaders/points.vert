@@ -24,6 +24,7 @@ uniform sampler2D map;
 flat out vec3 colour;
 
 vec3 from_map(float x) {
+    if (x < 0.0) return grey;  // unknown
     float t = (x - map_from) * map_per_value;
     if (under_is_grey > 0.5 && t < 0.0) return grey;
     return textureLod(map, vec2((clamp(t, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5), 0.0).rgb;

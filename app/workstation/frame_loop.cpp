@@ -35,6 +35,10 @@ ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
     ++frames_;
     station_.pump(input.ui.time_s);
     for (const auto& path : input.dropped) station_.take(ui::request::Open{path});
+    if (input.close_requested) {
+        prepare_for(ui::request::Quit{});
+        station_.take(ui::request::Quit{});
+    }
     const ui::Snapshot snapshot = station_.snapshot();
     ui::Requests requests;
     const std::string caption = player_ ? player_->caption() : "";

@@ -55,6 +55,11 @@ struct Workstation::Taker {
         self.filter_ = r.filter;
         self.refresh_filter();
     }
+    // Asked for by the Recognise page, which nothing leads to before the library is there.
+    void operator()(const ui::request::Recognise&) const {}
+    void operator()(const ui::request::LibraryAdd&) const {}
+    void operator()(const ui::request::LibraryRemove&) const {}
+    void operator()(const ui::request::WantResiduals& r) const { self.residuals_.want(r.on); }
     void operator()(const ui::request::CopyText& r) const {
         self.wish_.clipboard = r.text;
         self.toast(LogLevel::kInformation, "toast.copied", "Copied", r.what);

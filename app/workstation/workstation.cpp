@@ -101,6 +101,7 @@ void Workstation::pump(double now_s) {
     now_s_ = now_s;
     toasts_.forget_old(now_s);
     jobs_.pump();
+    if (residuals_.wanted()) residuals_.refresh(snapshot(), jobs_, settings_.threads);
     LiveTurn* turn = live();
     if (turn == nullptr) return;
     if (Status s = turn->pump(); !s) {
@@ -123,6 +124,8 @@ ui::Snapshot Workstation::snapshot() const {
     if (const auto* recorded = std::get_if<std::unique_ptr<RecordedTurn>>(&turn_)) {
         (*recorded)->show_in(shown);
     }
+    shown.residuals_wanted = residuals_.wanted();
+    residuals_.attach(shown.captures);
     if (const auto job = jobs_.shown()) {
         shown.job = ui::ShownJob{job->name, job->part, job->elapsed_s, true};
     }
@@ -161,6 +164,7 @@ void Workstation::close_turn() {
     const fs::path folder = turn != nullptr ? turn->folder() : fs::path();
     turn_ = std::monostate{};
     turn_log_ = {};
+    residuals_.forget();
     selected_row_.reset();
     filter_ = {};
     shown_template_ = {};

@@ -13,6 +13,7 @@
 #include "app/workstation/recorded_turn.h"
 #include "app/workstation/session_files.h"
 #include "app/workstation/turn_log.h"
+#include "app/workstation/view_residuals.h"
 #include "ui/memory/preferences_file.h"
 #include "ui/memory/recent_sessions.h"
 #include "ui/views/request.h"
@@ -99,6 +100,7 @@ class Workstation {
     TemplateFilter filter_;
     ui::ShownTemplate shown_template_;
     std::shared_ptr<const ComputedTurn> filtered_turn_;  ///< what shown_template_ was made of
+    ViewResiduals residuals_;
     std::string last_export_;
     WindowWish wish_;
     double now_s_ = 0.0;

@@ -2,10 +2,14 @@
 // Replay, the automatic run and the window all call this.
 #pragma once
 
+#include <memory>
+
 #include "core/base/for_each.h"
 #include "core/base/progress.h"
 #include "core/procedure/turn_recording.h"
 #include "core/registration/solve_turn.h"
+#include "core/scene/held_pose.h"
+#include "core/scene/object_split.h"
 #include "core/stereo/stereo_cloud.h"
 
 namespace gripscan {
@@ -15,12 +19,16 @@ struct ComputeTurnSettings {
     TurnSettings turn;
     /// Clouds are cut to the region. Off: only matching is limited by it.
     bool crop = true;
+    /// Of an object's turn: the gripper that holds it, to be taken away from every capture.
+    std::shared_ptr<const GripperTemplate> gripper;
+    ObjectSplitSettings split;
 };
 
 struct ComputedTurn {
     TurnReport report;  ///< `poses` has one entry per capture of the recording, in order
     /// Per capture; nothing where it was not used or came as a cloud.
     std::vector<std::optional<StereoHealth>> health;
+    std::optional<HeldPose> held;  ///< of an object's turn: how the gripper holds it
 };
 
 /// The result does not depend on the number of threads. Errors: captures that cannot be loaded or

@@ -6,10 +6,18 @@
 
 namespace gripscan {
 
+void fields(auto& io, Is<GripSlip> auto& slip) {
+    auto& [shift_m, angle_rad, sigma_shift_m, sigma_angle_rad] = slip;
+    io("shift_m", shift_m);
+    io("angle_rad", angle_rad);
+    io("sigma_shift_m", sigma_shift_m);
+    io("sigma_angle_rad", sigma_angle_rad);
+}
+
 void fields(auto& io, Is<TurnStep> auto& step) {
     auto& [index, from, to, attempts, commanded_rad, robot_rad, icp_rad, error_rad, sigma_rad,
            observability, mode, independent, tilt_rad, axis_offset_m, slip_m, T, overlap, rms_m,
-           median_m, p90_m, verdict, cause, sentence] = step;
+           median_m, p90_m, verdict, cause, sentence, grip_slip] = step;
     io("index", index);
     io("from", from);
     io("to", to);
@@ -33,6 +41,7 @@ void fields(auto& io, Is<TurnStep> auto& step) {
     io("verdict", verdict);
     io("cause", cause);
     io("sentence", sentence);
+    io("grip_slip", grip_slip);
 }
 
 void fields(auto& io, Is<ForeignObject> auto& object) {

@@ -7,6 +7,7 @@
 #include "core/registration/axis_lock.h"
 #include "core/registration/diagnosed_step.h"
 #include "core/registration/turn_rows.h"
+#include "core/scene/split_view.h"
 
 namespace gripscan {
 namespace {
@@ -81,7 +82,7 @@ Status TurnWorkspace::prepare_images(const RecordedCapture& capture, const Progr
     if (!result) return about(capture, result.error());
     made.health = result->health;
     made.background = background_beside(*rectified, rectifier_->rig(), region_);
-    made.view = prepare_view(std::move(result->cloud));
+    take_view(capture, std::move(result->cloud), made);
     made.view.image = image_health_of(result->health);
     made.view.field = field_of(rectifier_->rig());
     return {};
@@ -100,8 +101,20 @@ Result<PreparedCapture> TurnWorkspace::prepare(const RecordedCapture& capture,
     auto cloud = capture.load_cloud();
     if (!cloud) return forward_error(cloud.error());
     if (region_ && settings_.crop) *cloud = crop(*cloud, *region_);
-    made.view = prepare_view(std::move(*cloud));
+    take_view(capture, std::move(*cloud), made);
     return made;
+}
+
+void TurnWorkspace::take_view(const RecordedCapture& capture, Cloud cloud,
+                              PreparedCapture& made) const {
+    if (!settings_.gripper) {
+        made.view = prepare_view(std::move(cloud));
+        return;
+    }
+    SplitView view = prepare_split_view(*settings_.gripper, settings_.split, facts_of(capture),
+                                        std::move(cloud));
+    made.view = std::move(view.view);
+    made.split = std::move(view.split);
 }
 
 CaptureEvidence TurnWorkspace::insert(PreparedCapture capture) {
@@ -166,6 +179,11 @@ void TurnWorkspace::set_known_axis(const std::optional<AxisEstimate>& axis) {
 void TurnWorkspace::set_plan(const TurnLimits& limits, double step_rad) {
     settings_.turn.limits = limits;
     settings_.turn.step_rad = step_rad;
+}
+
+const ObjectSplit* TurnWorkspace::split(int index) const {
+    const auto found = captures_.find(index);
+    return found == captures_.end() ? nullptr : found->second->split.get();
 }
 
 const PreparedView* TurnWorkspace::view(int index) const {
@@ -306,7 +324,20 @@ Result<ComputedTurn> TurnWorkspace::solve(std::span<const RecordedCapture> captu
     }
     report->poses = std::move(poses);
     computed.report = std::move(*report);
+    computed.held = held_in(captures, computed);
     return computed;
+}
+
+std::optional<HeldPose> TurnWorkspace::held_in(std::span<const RecordedCapture> captures,
+                                               const ComputedTurn& computed) const {
+    std::vector<HeldView> views;
+    for (std::size_t k = 0; k < captures.size(); ++k) {
+        const auto& T_first_k = computed.report.poses[k];
+        if (!T_first_k) continue;
+        const auto& holder = captures_.at(captures[k].index)->view.holder;
+        if (holder) views.push_back({holder->T_camera_holder, T_first_k->inverse()});
+    }
+    return held_pose(views, centroid(computed.report.merged));
 }
 
 }  // namespace gripscan

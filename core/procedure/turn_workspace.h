@@ -38,6 +38,8 @@ struct PreparedCapture {
     PreparedView view;
     std::optional<StereoHealth> health;
     std::optional<Background> background;
+    /// Of an object's turn: how gripper and object were told apart, with both clouds.
+    std::shared_ptr<const ObjectSplit> split;
 };
 
 /// One thread at a time, but for prepare(); inner loops use the ForEach given.
@@ -48,9 +50,9 @@ class TurnWorkspace {
                                                       const std::optional<Box>& region,
                                                       const ComputeTurnSettings& settings);
 
-    /// Loads the capture's images or cloud: stereo, crop, surface, health. May run for several
-    /// captures at the same time. Errors: what cannot be loaded or matched, images without a rig,
-    /// cancelled.
+    /// Loads the capture's images or cloud: stereo, crop, gripper taken away, surface, health. May
+    /// run for several captures at the same time. Errors: what cannot be loaded or matched, images
+    /// without a rig, cancelled.
     [[nodiscard]] Result<PreparedCapture> prepare(const RecordedCapture& capture,
                                                   const Progress& progress,
                                                   const ForEach& for_each) const;
@@ -87,6 +89,8 @@ class TurnWorkspace {
     [[nodiscard]] Result<ComputedTurn> solve(std::span<const RecordedCapture> captures,
                                              const Progress& progress, const ForEach& for_each);
 
+    /// How a capture was taken apart; null: not there, or no turn of an object.
+    [[nodiscard]] const ObjectSplit* split(int index) const;
     /// A capture's view as prepared; null: not there. Valid until it is forgotten or replaced.
     [[nodiscard]] const PreparedView* view(int index) const;
 
@@ -95,6 +99,9 @@ class TurnWorkspace {
     TurnWorkspace(std::optional<Box> region, ComputeTurnSettings settings);
     [[nodiscard]] Status prepare_images(const RecordedCapture& capture, const Progress& progress,
                                         const ForEach& for_each, PreparedCapture& made) const;
+    void take_view(const RecordedCapture& capture, Cloud cloud, PreparedCapture& made) const;
+    [[nodiscard]] std::optional<HeldPose> held_in(std::span<const RecordedCapture> captures,
+                                                  const ComputedTurn& computed) const;
     [[nodiscard]] Result<PreparedTurn> gather(std::span<const RecordedCapture> captures) const;
     [[nodiscard]] Status align_missing(const PreparedTurn& turn, const Progress& progress,
                                        const ForEach& for_each);

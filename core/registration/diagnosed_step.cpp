@@ -4,6 +4,7 @@
 
 #include "core/registration/axis_lock.h"
 #include "core/registration/diagnosis.h"
+#include "core/registration/grip_slip.h"
 #include "core/registration/turn_rows.h"
 
 namespace gripscan {
@@ -29,17 +30,23 @@ struct Look {
     double total_m2 = 0.0;
 };
 
+const Surface* holder_of(const PreparedView& view) {
+    return view.holder && view.holder->usable() ? &view.holder->surface : nullptr;
+}
+
 /// A view with bad images misses much that is there: it is no witness of what is not.
 Look look(const StepEnd& from, const StepEnd& to, const Pose& T, const TurnSettings& settings) {
     std::optional<Unexplained> there;
     std::optional<Unexplained> back;
     if (!from.fault) {
-        there = unexplained_part(to.view.surface, from.view.surface, T.inverse(),
-                                 {settings.region, from.view.field, to.view.cloud.intensity});
+        there = unexplained_part(
+            to.view.surface, from.view.surface, T.inverse(),
+            {settings.region, from.view.field, to.view.cloud.intensity, holder_of(from.view)});
     }
     if (!to.fault) {
-        back = unexplained_part(from.view.surface, to.view.surface, T,
-                                {settings.region, to.view.field, from.view.cloud.intensity});
+        back = unexplained_part(
+            from.view.surface, to.view.surface, T,
+            {settings.region, to.view.field, from.view.cloud.intensity, holder_of(to.view)});
     }
     Look result{there, to.facts.index, 0.0};
     if (back && (!there || back->area_m2 > there->area_m2)) result = {back, from.facts.index, 0.0};
@@ -122,6 +129,9 @@ DiagnosedStep diagnosed_step(const StepEnd& from, const StepEnd& to, const StepF
         judged.step = locked_row(from, to, alignment, reported);
     }
     compare_with_axis(judged.step, axis);
+    if (usable && !is_locked && settings.method == TurnMethod::kTurn) {
+        judged.step.grip_slip = measure_grip_slip(from.view, to.view, alignment, settings.align);
+    }
     judged.evidence = evidence_of(from.facts, to.facts, alignment, settings.method);
     judged.evidence.camera_shift = finding.camera_shift;
     if (is_locked && alignment.found) judged.evidence.misfit = alignment.misfit;

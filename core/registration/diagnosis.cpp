@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
+#include "core/registration/grip_slip.h"
 #include "core/registration/turn_check.h"
 
 namespace gripscan {
@@ -42,6 +43,22 @@ bool one_thing(const StepEvidence& evidence) {
     return evidence.unexplained->other_area_m2 < evidence.unexplained->area_m2;
 }
 
+/// An alignment that decides nothing tells of no slip either.
+bool slip_is_real(const TurnStep& step, const TurnLimits& limits) {
+    const bool measured = step.cause != Cause::kNotConverged && step.cause != Cause::kSymmetry &&
+                          step.cause != Cause::kTexture;
+    return measured && step.grip_slip && slipped(*step.grip_slip, limits);
+}
+
+std::string slip_sentence(const GripSlip& slip, const TurnLimits& limits) {
+    return fmt::format(
+        "the part moved in the gripper by {:.2f} mm and {:.2f} deg, limits {:.2f} mm and {:.2f} "
+        "deg",
+        kMmPerM * slip.shift_m, deg_from_rad(slip.angle_rad),
+        kMmPerM * grip_shift_limit_m(slip, limits),
+        deg_from_rad(grip_angle_limit_rad(slip, limits)));
+}
+
 void name_bad_images(TurnStep& step, const StepEvidence& evidence) {
     const ImageFault& fault = *evidence.image_fault;
     const bool explained = step.cause == Cause::kWrongJoint || step.cause == Cause::kSettle ||
@@ -79,6 +96,8 @@ void diagnose_step(TurnStep& step, StepEvidence& evidence, const TurnLimits& lim
         reject(step, Cause::kMovedCamera, moved_camera_sentence(*evidence.camera_shift));
     } else if (evidence.foreign_object) {
         reject(step, Cause::kMislabelled, foreign_sentence(evidence));
+    } else if (slip_is_real(step, limits)) {
+        reject(step, Cause::kSlip, slip_sentence(*step.grip_slip, limits));
     } else if (evidence.image_fault) {
         name_bad_images(step, evidence);
     }

@@ -14,10 +14,12 @@ inline constexpr double kMostCameraShift_px = 0.5;
 inline constexpr double kMostUnexplained = 0.14;
 
 /// Judges the numbers (judge_step), then names what explains them, the outermost cause first:
-/// a camera that moved, an object that does not belong there, a wrong joint or one not settled,
+/// a camera that moved, an object that does not belong there, a part that moved in the gripper that
+/// holds it, a wrong joint or one not settled,
 /// bad images, then what the numbers themselves say. A moved camera and a foreign object reject
 /// even a step whose angle agrees; bad images of the newer view want another attempt though its
-/// numbers hold (check), and reject where too little of the surface is left. Sets evidence.foreign_object.
+/// numbers hold (check), and reject where too little of the surface is left. Sets
+/// evidence.foreign_object.
 void diagnose_step(TurnStep& step, StepEvidence& evidence, const TurnLimits& limits);
 
 /// The background moved more than a still camera's.

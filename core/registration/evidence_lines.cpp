@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "core/registration/diagnosis.h"
+#include "core/registration/grip_slip.h"
 #include "core/registration/turn_check.h"
 
 namespace gripscan {
@@ -57,6 +58,15 @@ void add_numbers(Lines& lines, const TurnStep& step, const TurnLimits& limits) {
         lines.add("slip along the axis", std::abs(*step.slip_m) > limits.slip_m,
                   fmt::format("{:.2f} mm", kMmPerM * limits.slip_m), "{:+.2f} mm",
                   kMmPerM * *step.slip_m);
+    }
+    if (step.grip_slip) {
+        const GripSlip& slip = *step.grip_slip;
+        lines.add("slip in the gripper", slipped(slip, limits),
+                  fmt::format("{:.2f} mm, {:.2f} deg", kMmPerM * grip_shift_limit_m(slip, limits),
+                              deg_from_rad(grip_angle_limit_rad(slip, limits))),
+                  "{:.2f} ± {:.2f} mm, {:.2f} ± {:.2f} deg", kMmPerM * slip.shift_m,
+                  kMmPerM * slip.sigma_shift_m, deg_from_rad(slip.angle_rad),
+                  deg_from_rad(slip.sigma_angle_rad));
     }
 }
 

@@ -148,6 +148,7 @@ Smoothed smooth(const Gathered& all, const KdTree& tree, const Seed& seed, float
 /// What the camera of a view saw, in its own frame.
 struct Witness {
     DepthMap map;
+    std::optional<DepthMap> holder;
     Pose T_view_first;
     Eigen::Vector3f viewpoint;
 };
@@ -159,8 +160,10 @@ std::vector<Witness> witnesses(std::span<const PosedView> views, const ForEach& 
         const auto& viewpoint = views[k].cloud->viewpoint;
         if (!viewpoint) return;
         if (const auto surface = make_surface(*views[k].cloud)) {
-            made[k].emplace(
-                Witness{DepthMap(*surface), views[k].T_first_view.inverse(), *viewpoint});
+            made[k].emplace(Witness{DepthMap(*surface), std::nullopt,
+                                    views[k].T_first_view.inverse(), *viewpoint});
+            const Surface* holder = views[k].holder;
+            if (holder != nullptr && holder->viewpoint) made[k]->holder.emplace(*holder);
         }
     });
     std::vector<Witness> known;
@@ -168,6 +171,10 @@ std::vector<Witness> witnesses(std::span<const PosedView> views, const ForEach& 
         if (witness) known.push_back(std::move(*witness));
     }
     return known;
+}
+
+bool behind_holder(const Witness& view, const Eigen::Vector3f& p, float tolerance_m) {
+    return view.holder && view.holder->look(p, tolerance_m) == Sight::kHidden;
 }
 
 /// Of the views that could have seen the point (it faces them and nothing they saw hides it), the
@@ -181,7 +188,7 @@ double confirmed_share(const Smoothed& s, const std::vector<Witness>& views, flo
         const Eigen::Vector3f ray = (p - view.viewpoint).normalized();
         if (-n.dot(ray) < kFacing) continue;
         const Sight sight = view.map.look(p, tolerance_m);
-        if (sight == Sight::kHidden) continue;
+        if (sight == Sight::kHidden || behind_holder(view, p, tolerance_m)) continue;
         could_see += sight == Sight::kNothing ? kBlank : 1.0;
     }
     return s.seen / std::max<double>(could_see, s.seen);

@@ -7,6 +7,7 @@
 #include "core/base/for_each.h"
 #include "core/cloud/cloud.h"
 #include "core/geometry/pose.h"
+#include "core/registration/surface.h"
 
 namespace gripscan {
 
@@ -18,6 +19,7 @@ struct MergeSettings {
 struct PosedView {
     const Cloud* cloud = nullptr;  ///< camera frame, with normals
     Pose T_first_view = Pose::Identity();
+    const Surface* holder = nullptr;  ///< what held the part, camera frame: it hides; null: nothing
 };
 
 /// One point a voxel (two where front and back of a thin wall share one): the noise-weighted mean

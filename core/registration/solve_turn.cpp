@@ -79,7 +79,7 @@ void fill_rows(const Turn& turn, TurnReport& report) {
     turn.for_each(judged.size(), [&](std::size_t i) {
         if (turn.progress.cancelled()) return;
         judged[i] = diagnosed_step(turn.end(i), turn.end(i + 1), turn.given.steps[i], report.axis,
-                                turn.settings);
+                                   turn.settings);
         judged[i].step.index = static_cast<int>(i) + 1;
     });
     for (DiagnosedStep& one : judged) {
@@ -140,7 +140,9 @@ void merge(const Turn& turn, TurnReport& report) {
             completed.back().normals = turn.given.views[k]->surface.normals;
             cloud = &completed.back();
         }
-        posed.push_back({cloud, *report.poses[k]});
+        const auto& holder = turn.given.views[k]->holder;
+        posed.push_back(
+            {cloud, *report.poses[k], holder && holder->usable() ? &holder->surface : nullptr});
     }
     report.merged =
         merge_views(posed, {turn.settings.voxel_m, turn.settings.min_seen}, turn.for_each);

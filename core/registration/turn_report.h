@@ -14,6 +14,14 @@
 
 namespace gripscan {
 
+/// How a held part moved against the gripper during a step.
+struct GripSlip {
+    double shift_m = 0.0;  ///< of the part's centre
+    double angle_rad = 0.0;
+    double sigma_shift_m = 0.0;  ///< standard deviations, along and about the motion that was found
+    double sigma_angle_rad = 0.0;
+};
+
 /// One row of Table 1: the step from one used capture to the next.
 struct TurnStep {
     int index = 0;  ///< 1, 2, …
@@ -38,7 +46,8 @@ struct TurnStep {
     std::optional<double> p90_m;
     Verdict verdict = Verdict::kReject;
     Cause cause = Cause::kNone;
-    std::string sentence;  ///< the verdict in words: value, limit, reason
+    std::string sentence;               ///< the verdict in words: value, limit, reason
+    std::optional<GripSlip> grip_slip;  ///< of an object in the gripper
 };
 
 struct AxisEstimate {

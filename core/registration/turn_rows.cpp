@@ -110,9 +110,10 @@ void compare_with_axis(TurnStep& step, const std::optional<AxisEstimate>& axis) 
 std::optional<Alignment> without_alignment(const CaptureFacts& facts, const PreparedView& view) {
     if (view.usable()) return std::nullopt;
     Alignment none;
-    none.cause = Cause::kTexture;
-    none.sentence = fmt::format("capture {}: {}; no texture, no light, or nothing there",
-                                facts.index, view.flaw);
+    none.cause = view.flaw_cause;
+    none.sentence = fmt::format(
+        "capture {}: {}{}", facts.index, view.flaw,
+        view.flaw_cause == Cause::kTexture ? "; no texture, no light, or nothing there" : "");
     return none;
 }
 

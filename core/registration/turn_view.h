@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "core/registration/holder.h"
 #include "core/registration/image_health.h"
 #include "core/registration/surface.h"
 #include "core/registration/verdict.h"
@@ -34,9 +36,11 @@ struct TurnView : CaptureFacts {
 struct PreparedView {
     Cloud cloud;
     Surface surface;
-    std::string flaw;                  ///< why there is no surface; empty: there is one
-    std::optional<ImageHealth> image;  ///< where the cloud came from images
-    std::optional<ViewField> field;    ///< of the camera, where it is known
+    std::string flaw;  ///< why there is no surface; empty: there is one
+    Cause flaw_cause = Cause::kTexture;
+    std::shared_ptr<const Holder> holder;  ///< what holds the part; null: it is the gripper itself
+    std::optional<ImageHealth> image;      ///< where the cloud came from images
+    std::optional<ViewField> field;        ///< of the camera, where it is known
 
     [[nodiscard]] bool usable() const { return flaw.empty(); }
 };

@@ -91,6 +91,7 @@ class Looker {
                        kPartnerSpacings * std::max(shown.spacing_m, other.spacing_m)))),
           margin_m_(static_cast<float>(kMargin * std::max(shown.radius_m, other.radius_m))),
           darkest_(kDark * median_of(where.brightness)) {
+        if (where.holder != nullptr && where.holder->viewpoint) holder_.emplace(*where.holder);
         if (where.region) walls_.emplace(*where.region, other.points, margin_m_);
     }
 
@@ -120,6 +121,7 @@ class Looker {
     }
 
     [[nodiscard]] bool ought_to_be_seen(const Eigen::Vector3f& p) const {
+        if (hidden_by_holder(p)) return false;
         const Sight sight = map_.look(p, reach_m_);
         if (sight != Sight::kNothing) return sight == Sight::kInFront;
         return walls_ && walls_->deep_inside(p) && where_.field &&
@@ -131,12 +133,21 @@ class Looker {
         return (p - shown_.points[i]).norm() > kPlainlyMoved * reach_m_ && stands(i);
     }
 
-    [[nodiscard]] bool beside_data(const Eigen::Vector3f& p) const {
+    [[nodiscard]] bool beside_data(const Eigen::Vector3f& p) const { return beside(map_, p); }
+
+    /// Behind the gripper, next to its silhouette, or where it touches the part.
+    [[nodiscard]] bool hidden_by_holder(const Eigen::Vector3f& p) const {
+        if (!holder_) return false;
+        const Sight sight = holder_->look(p, reach_m_);
+        return sight == Sight::kHidden || sight == Sight::kSeen || beside(*holder_, p);
+    }
+
+    [[nodiscard]] bool beside(const DepthMap& map, const Eigen::Vector3f& p) const {
         const Eigen::Vector3f ray = (p - *other_.viewpoint).normalized();
         const Eigen::Vector3f right = ray.unitOrthogonal();
         const Eigen::Vector3f down = ray.cross(right);
         for (const auto& [u, v] : kAround) {
-            const Sight sight = map_.look(p + margin_m_ * (u * right + v * down), reach_m_);
+            const Sight sight = map.look(p + margin_m_ * (u * right + v * down), reach_m_);
             if (sight != Sight::kNothing && sight != Sight::kInFront) return true;
         }
         return false;
@@ -145,6 +156,7 @@ class Looker {
     const Surface& shown_;
     const Surface& other_;
     DepthMap map_;
+    std::optional<DepthMap> holder_;
     Eigen::Matrix3f R_;
     Eigen::Vector3f t_;
     const SeenWhere& where_;

@@ -29,6 +29,8 @@ struct SeenWhere {
     std::optional<ViewField> field;  ///< the other camera's
     /// Of the shown points, where it is known: a surface in the dark is easily lost by stereo.
     std::span<const float> brightness;
+    /// What holds the part in the other view, which hides it too; null: nothing does.
+    const Surface* holder = nullptr;
 };
 
 /// Points of `shown` that are well lit and cannot be the part's: moved by T they leave the region,

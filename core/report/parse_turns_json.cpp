@@ -45,6 +45,14 @@ Enum from_word(const Json& json, int count) {
     throw Json::other_error::create(501, "unknown word '" + text + "'", nullptr);
 }
 
+std::optional<GripSlip> grip_slip_of(const Json& json) {
+    if (!length(json, "grip_slip_mm")) return std::nullopt;
+    return GripSlip{length(json, "grip_slip_mm").value_or(0.0),
+                    angle(json, "grip_slip_deg").value_or(0.0),
+                    length(json, "grip_slip_sigma_mm").value_or(0.0),
+                    angle(json, "grip_slip_sigma_deg").value_or(0.0)};
+}
+
 TurnStep step_of(const Json& json) {
     TurnStep step;
     step.index = json.at("index").get<int>();
@@ -70,6 +78,7 @@ TurnStep step_of(const Json& json) {
     step.verdict = from_word<Verdict>(json.at("verdict"), 4);
     step.cause = from_word<Cause>(json.at("cause"), 17);
     step.sentence = json.value("sentence", "");
+    step.grip_slip = grip_slip_of(json);
     return step;
 }
 

@@ -1,5 +1,6 @@
 #include "core/report/template_json.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/atomic_file.h"
@@ -52,6 +53,37 @@ Json settings_json(const ComputeTurnSettings& settings) {
     return json;
 }
 
+Json split_json(const ObjectSplitSettings& split) {
+    return {{"trim", word(split.trim)},
+            {"margins_low_mm", json_vector(kMmPerM * split.margins.low_m)},
+            {"margins_high_mm", json_vector(kMmPerM * split.margins.high_m)},
+            {"most_lost", split.most_lost}};
+}
+
+/// The gripper that held the object, and how: what tells whether a grasp is stale.
+Json gripper_json(const GripperTemplate& gripper, const std::optional<HeldPose>& held) {
+    Json json{{"file", gripper.file}, {"check", gripper.check}};
+    json["T_gripper_object"] = held ? json_pose(held->T_gripper_object) : Json(nullptr);
+    json["sd_deg"] = held ? json_deg(held->sd_rad) : Json(nullptr);
+    json["sd_mm"] = held ? json_mm(held->sd_m) : Json(nullptr);
+    json["captures"] = held ? held->captures : 0;
+    return json;
+}
+
+Json axis_json(const std::optional<AxisEstimate>& axis) {
+    if (!axis) return nullptr;
+    return {{"point_m", json_vector(axis->axis.point_m)},
+            {"direction", json_vector(axis->axis.direction)}};
+}
+
+/// Joint 6 at the capture whose frame the template has: the mean of the readings around it.
+Json frame_joint6_json(const CaptureRow& first) {
+    const auto& before = first.joints_deg[5];
+    const auto& after = first.j6_after_deg;
+    if (before && after) return json_number(0.5 * (*before + *after));
+    return json_number(before ? before : after);
+}
+
 Json table_json(const TurnReport& report) {
     const TurnSummary summary = summary_of(report);
     const bool compared = summary.compared > 0;
@@ -74,20 +106,25 @@ Result<std::string> template_json(const TurnReport& report, const Provenance& fr
         if (!one) return forward_error(one.error());
         sources.push_back(std::move(*one));
     }
-    int first = 0;
-    for (const auto& row : from.session.table.rows) {
-        if (row.status != CaptureStatus::kUsed) continue;
-        first = row.index;
-        break;
-    }
+    const auto& rows = from.session.table.rows;
+    const auto first = std::find_if(rows.begin(), rows.end(), [](const CaptureRow& row) {
+        return row.status == CaptureStatus::kUsed;
+    });
+    if (first == rows.end()) return input_error("a template without used captures");
     Json json{{"format", "gripscan-template/1"}};
     json["file"] = "template.pcd";
     json["kind"] = word(from.session.spec.kind);
     json["unit"] = "m";
-    json["frame"] = fmt::format("rectified left camera, part as in capture {}", first);
+    json["frame"] = fmt::format("rectified left camera, part as in capture {}", first->index);
+    json["axis"] = axis_json(report.axis);
+    json["frame_joint6_deg"] = frame_joint6_json(*first);
     json["points"] = report.merged.size();
     json["software"] = {{"name", "gripscan"}, {"version", from.version}};
     json["settings"] = settings_json(from.settings);
+    if (from.settings.gripper) {
+        json["split"] = split_json(from.settings.split);
+        json["gripper"] = gripper_json(*from.settings.gripper, from.held);
+    }
     json["closure"] = json_closure(report);
     json["table"] = table_json(report);
     json["sources"] = std::move(sources);

@@ -29,6 +29,13 @@ Json step_json(const TurnStep& step) {
     json["median_mm"] = json_mm(step.median_m);
     json["p90_mm"] = json_mm(step.p90_m);
     json["sentence"] = step.sentence;
+    if (step.grip_slip) {
+        const GripSlip& slip = *step.grip_slip;
+        json["grip_slip_mm"] = json_mm(slip.shift_m);
+        json["grip_slip_deg"] = json_deg(slip.angle_rad);
+        json["grip_slip_sigma_mm"] = json_mm(slip.sigma_shift_m);
+        json["grip_slip_sigma_deg"] = json_deg(slip.sigma_angle_rad);
+    }
     return json;
 }
 

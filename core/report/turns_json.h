@@ -1,6 +1,7 @@
 // gripscan-turns/1: the result of a turn as JSON, as `--json` prints it and turns.json keeps it.
 // Every step also carries its sentence and the median and 90 % of the residuals, and the document
-// the estimated angle scale: additions to the format, which readers may leave aside.
+// the estimated angle scale, steps of a held object its slip in the gripper: additions to the
+// format, which readers may leave aside.
 #pragma once
 
 #include <filesystem>

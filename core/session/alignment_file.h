@@ -1,15 +1,42 @@
-// The robot-camera alignment in a file: 16 numbers T_robot_camera under the key `alignment`, as
-// `calibrate robot` writes it and a cell file holds it.
+// gripscan-alignment/1: where the camera stands relative to the robot, as `calibrate robot` writes
+// it and `--alignment` reads it (docs/robot-alignment.md).
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "core/base/result.h"
 #include "core/geometry/pose.h"
 
 namespace gripscan {
 
-/// Other keys are left alone. The message names file, line and reason.
-[[nodiscard]] Result<Pose> load_alignment(const std::filesystem::path& path);
+struct AlignmentFile {
+    /// Camera on a stand: where it stands in the robot's frame.
+    std::optional<Pose> T_robot_camera;
+    /// Camera on the flange: where it is mounted.
+    std::optional<Pose> T_flange_camera;
+    /// Where the board was: on the flange, or in the robot's frame.
+    std::optional<Pose> T_flange_board;
+    std::optional<Pose> T_robot_board;
+    std::string method;
+    int views = 0;
+    double spread_mm = 0.0;  ///< rms over the views of where the board is seen
+    double spread_deg = 0.0;
+    double spread_max_mm = 0.0;
+    double spread_max_deg = 0.0;
+    double reprojection_px = 0.0;
+    double sd_mm = 0.0;
+    double sd_deg = 0.0;
+};
+
+[[nodiscard]] Status save_alignment(const std::filesystem::path& path, const AlignmentFile& file);
+
+/// Strict: unknown keys, wrong types and what is no rigid motion are errors with file and line. One
+/// of T_robot_camera and T_flange_camera must be there; everything else may be missing.
+[[nodiscard]] Result<AlignmentFile> load_alignment(const std::filesystem::path& path);
+
+/// T_robot_camera of an alignment file. Errors: as above, or a camera on the flange.
+[[nodiscard]] Result<Pose> load_robot_camera(const std::filesystem::path& path);
 
 }  // namespace gripscan

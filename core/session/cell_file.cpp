@@ -5,6 +5,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/number_text.h"
+#include "core/session/alignment_file.h"
 #include "core/session/yaml_parts.h"
 
 namespace gripscan {
@@ -75,14 +76,13 @@ fs::path read_path(StrictYaml& yaml, std::string_view key, const fs::path& file)
     return text ? file.parent_path() / *text : fs::path();
 }
 
-std::optional<Pose> read_alignment(StrictYaml& yaml) {
-    const auto numbers = yaml.numbers("alignment", 16);
-    if (!numbers) return std::nullopt;
-    std::array<double, 16> matrix{};
-    std::copy(numbers->begin(), numbers->end(), matrix.begin());
-    auto pose = pose_from_row_major(matrix);
-    if (!pose) yaml.fail("alignment", "is no rigid motion (4 x 4, row-major, m)");
-    return pose;
+/// The 16 numbers, or the file that `calibrate robot` wrote.
+std::optional<Pose> read_alignment(StrictYaml& yaml, const fs::path& file) {
+    if (!yaml.holds_text("alignment")) return read_pose(yaml, "alignment");
+    const auto pose = load_robot_camera(read_path(yaml, "alignment", file));
+    if (pose) return *pose;
+    yaml.fail("alignment", "cannot be used: " + pose.error().message);
+    return std::nullopt;
 }
 
 /// As it is written into `file`.
@@ -102,14 +102,6 @@ std::string robot_line(const CellRobot& robot) {
         text_from_number(robot.speed_percent), text_from_number(robot.settle_s * kMsPerS));
 }
 
-std::string alignment_line(const Pose& T) {
-    std::string numbers;
-    for (const double number : row_major_from_pose(T)) {
-        numbers += (numbers.empty() ? "" : ", ") + text_from_number(number);
-    }
-    return fmt::format("alignment: [{}]\n", numbers);
-}
-
 }  // namespace
 
 Result<CellFile> load_cell_file(const fs::path& path) {
@@ -123,7 +115,7 @@ Result<CellFile> load_cell_file(const fs::path& path) {
     cell.rig = read_path(yaml, "rig", path);
     cell.region = read_region(yaml);
     cell.axis_hint = read_axis_hint(yaml);
-    cell.T_robot_camera = read_alignment(yaml);
+    cell.T_robot_camera = read_alignment(yaml, path);
     cell.limits = read_limits(yaml);
     cell.template_library = read_path(yaml, "template_library", path);
     yaml.reject_other_keys();
@@ -141,7 +133,7 @@ Status save_cell_file(const fs::path& path, const CellFile& cell) {
     if (!cell.rig.empty()) text += path_line("rig", cell.rig, path);
     if (cell.region) text += region_line(*cell.region);
     if (cell.axis_hint) text += axis_hint_line(*cell.axis_hint);
-    if (cell.T_robot_camera) text += alignment_line(*cell.T_robot_camera);
+    if (cell.T_robot_camera) text += pose_line("alignment", *cell.T_robot_camera);
     text += limits_line(cell.limits);
     if (!cell.template_library.empty()) {
         text += path_line("template_library", cell.template_library, path);

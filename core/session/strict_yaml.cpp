@@ -115,6 +115,33 @@ std::optional<StrictYaml> StrictYaml::map(std::string_view key) {
     return StrictYaml(*node, full_name(key) + ".", shared_);
 }
 
+bool StrictYaml::holds_text(std::string_view key) {
+    const auto node = find(key);
+    return node && node->IsScalar();
+}
+
+std::optional<std::vector<StrictYaml>> StrictYaml::maps(std::string_view key) {
+    const auto node = find(key);
+    if (!node) return std::nullopt;
+    const auto complain = [&](const YAML::Mark& mark) {
+        fail_at(mark, full_name(key) + " must be a list of 'key: value' pairs");
+    };
+    if (!node->IsSequence()) {
+        complain(node->Mark());
+        return std::nullopt;
+    }
+    std::vector<StrictYaml> list;
+    for (const auto& item : *node) {
+        if (!item.IsMap()) {
+            complain(item.Mark());
+            return std::nullopt;
+        }
+        list.push_back(
+            StrictYaml(item, fmt::format("{}[{}].", full_name(key), list.size()), shared_));
+    }
+    return list;
+}
+
 void StrictYaml::reject_other_keys() {
     for (const auto& entry : node_) {
         if (entry.first.IsScalar() && !known_.contains(entry.first.Scalar())) {

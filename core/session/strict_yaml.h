@@ -33,6 +33,12 @@ class StrictYaml {
                                                              std::size_t count);
     [[nodiscard]] std::optional<Eigen::Vector3d> vector3(std::string_view key);
     [[nodiscard]] std::optional<StrictYaml> map(std::string_view key);
+    /// A list of mappings.
+    [[nodiscard]] std::optional<std::vector<StrictYaml>> maps(std::string_view key);
+    /// A single word or number rather than a list or mapping.
+    [[nodiscard]] bool holds_text(std::string_view key);
+    /// Is the key there, whatever it holds? It counts as asked for.
+    [[nodiscard]] bool has(std::string_view key) { return find(key).has_value(); }
 
     /// Records an error at the line of the key (of the mapping itself if the key is absent).
     void fail(std::string_view key, const std::string& what);

@@ -1,5 +1,8 @@
 #include "core/session/yaml_parts.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/base/number_text.h"
 
 namespace gripscan {
@@ -99,6 +102,24 @@ std::string yaml_quoted(const std::string& text) {
         result += c;
     }
     return result + '"';
+}
+
+std::optional<Pose> read_pose(StrictYaml& yaml, std::string_view key) {
+    const auto numbers = yaml.numbers(key, 16);
+    if (!numbers) return std::nullopt;
+    std::array<double, 16> matrix{};
+    std::copy(numbers->begin(), numbers->end(), matrix.begin());
+    auto pose = pose_from_row_major(matrix);
+    if (!pose) yaml.fail(key, "is no rigid motion (4 x 4, row-major, m)");
+    return pose;
+}
+
+std::string pose_line(std::string_view key, const Pose& T) {
+    std::string numbers;
+    for (const double number : row_major_from_pose(T)) {
+        numbers += (numbers.empty() ? "" : ", ") + text_from_number(number);
+    }
+    return fmt::format("{}: [{}]\n", key, numbers);
 }
 
 }  // namespace gripscan

@@ -64,12 +64,15 @@ struct Reach {
     double end_m = 0.0;  ///< along the axis, out of the flange
 };
 
-Reach reach_of(const Body& tool) {
+/// Of the gripper and what it holds.
+Reach reach_of(const SceneModel& model) {
     Reach reach;
-    for (const Part& part : tool.parts) {
-        for (const Eigen::Vector3d& v : part.mesh.vertices) {
-            reach.radius_m = std::max(reach.radius_m, std::hypot(v.x(), v.y()));
-            reach.end_m = std::max(reach.end_m, v.z());
+    for (const std::size_t body : {SceneModel::kTool, SceneModel::kObject}) {
+        for (const Part& part : model.bodies[body].parts) {
+            for (const Eigen::Vector3d& v : part.mesh.vertices) {
+                reach.radius_m = std::max(reach.radius_m, std::hypot(v.x(), v.y()));
+                reach.end_m = std::max(reach.end_m, v.z());
+            }
         }
     }
     return reach;
@@ -133,7 +136,7 @@ Box registration_area(const CellLayout& layout, const SceneModel& with_arm) {
     const Pose T_camera_world = layout.T_world_camera.inverse();
     const auto T_world_body = body_poses(layout.joints_rad);
     const Pose T_camera_tool = T_camera_world * T_world_body[SceneModel::kTool];
-    const Reach reach = reach_of(with_arm.bodies[SceneModel::kTool]);
+    const Reach reach = reach_of(with_arm);
 
     // A disc of radius r about the direction a reaches r · sqrt(1 − a_i²) along coordinate i.
     const Eigen::Vector3d a = T_camera_tool.linear().col(2);

@@ -19,7 +19,7 @@ constexpr int kStep = 5;  ///< where a fault begins that is not told where
 constexpr double kAnHour_s = 3600.0;
 
 // clang-format off
-constexpr std::array<FaultInfo, 18> kFaults = {{
+constexpr std::array<FaultInfo, 22> kFaults = {{
     {"delay",     {kDelay, kStep, 3.0, kAccept},       "s",   0.0, kAnHour_s, "the answer comes late"},
     {"drop",      {kDrop, kStep, 0.0, kDone},          "",    0.0, 0.0,  "the connection is closed instead of the answer"},
     {"garble",    {kGarble, kStep, 0.0, kDone},        "",    0.0, 0.0,  "the answer arrives as other letters"},
@@ -38,6 +38,10 @@ constexpr std::array<FaultInfo, 18> kFaults = {{
     {"defocus",   {kDefocus, kStep, 4.0, kAccept},     "px",  0.0, 20.0, "the lens blurs by this standard deviation"},
     {"bump",      {kBump, kStep, 4.0, kAccept},        "mm",  0.0, 50.0, "the camera is shifted by this and turned by 0.1 deg a mm"},
     {"intruder",  {kIntruder, kStep, 40.0, kAccept},   "mm",  5.0, 100.0, "a finger-like thing of this thickness before the gripper"},
+    {"tool",      {kTool, kStep, 150.0, kAccept},      "mm",  40.0, 300.0, "a screwdriver of this length, left in the registration area"},
+    {"shift",     {kShift, kStep, 2.0, kAccept},       "mm",  0.0, 50.0, "table, wall and fixtures stand elsewhere by this"},
+    {"object_slip", {kObjectSlip, kStep, 2.0, kAccept}, "mm", -20.0, 20.0, "the object has slid between the fingers"},
+    {"object_twist", {kObjectTwist, kStep, 3.0, kAccept}, "deg", -30.0, 30.0, "the object has turned between the fingers"},
 }};
 // clang-format on
 

@@ -31,6 +31,10 @@ enum class FaultKind {
     kDefocus,
     kBump,
     kIntruder,
+    kTool,
+    kShift,
+    kObjectSlip,
+    kObjectTwist,
 };
 
 /// The moment of an exchange with the controller at which a fault of the link strikes: just before

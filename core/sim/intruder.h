@@ -11,4 +11,9 @@ namespace gripscan::sim {
 [[nodiscard]] Body make_intruder(double thickness_m, const Box& region, const Pose& T_world_camera,
                                  std::uint64_t seed);
 
+/// A screwdriver of this length (shorter if the region is), lying along the region's lower edge
+/// nearest to the camera; in WORLD.
+[[nodiscard]] Body make_left_tool(double length_m, const Box& region, const Pose& T_world_camera,
+                                  std::uint64_t seed);
+
 }  // namespace gripscan::sim

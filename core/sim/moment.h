@@ -10,9 +10,12 @@ namespace gripscan::sim {
 
 struct Moment {
     JointAngles true_rad{};
-    Pose T_tool_part = Pose::Identity();     ///< what is mounted, in tool0; identity: as mounted
+    Pose T_tool_part = Pose::Identity();    ///< what is mounted, in tool0; identity: as mounted
+    Pose T_part_object = Pose::Identity();  ///< what is held, in tool0; identity: as it was gripped
     Pose T_camera_moved = Pose::Identity();  ///< the camera in the frame it had at the start
     bool intruder = false;                   ///< the strange thing is there, if the cell has one
+    bool tool = false;                       ///< the tool is left there, if the cell has one
+    Eigen::Vector3d surroundings_shift_m = Eigen::Vector3d::Zero();  ///< in WORLD
     double defocus_px = 0.0;                 ///< standard deviation of additional blur
     double glare_px = 0.0;                   ///< radius of a saturated spot; 0: none
 };
@@ -29,5 +32,9 @@ using Moments = std::map<int, Moment>;
 
 /// What turns and is mounted on the flange, in the camera frame.
 [[nodiscard]] Pose T_camera_part(const CellLayout& layout, const Moment& moment);
+/// What the gripper holds, in the camera frame.
+[[nodiscard]] inline Pose T_camera_object(const CellLayout& layout, const Moment& moment) {
+    return T_camera_part(layout, moment) * moment.T_part_object;
+}
 
 }  // namespace gripscan::sim

@@ -15,17 +15,18 @@ Texture grain(double contrast) {
     return {.cell_m = 0.012, .octaves = 4, .gain = 1.25, .contrast = contrast};
 }
 
-Body tool_body(const SceneContents& contents) {
+/// The gripper and what it holds.
+void mount(const SceneContents& contents, SceneModel& model) {
     const Gripper gripper = make_gripper(contents.gripper);
-    Body body{gripper.parts};
-    if (!contents.object.empty()) {
-        for (Part part : make_object(contents.object, gripper.opening_m)) {
-            part.mesh = moved(part.mesh, gripper.T_tool_grasp);
-            body.parts.push_back(std::move(part));
-        }
+    model.T_tool_grasp = gripper.T_tool_grasp;
+    std::vector<Part>& tool = model.bodies[SceneModel::kTool].parts;
+    std::vector<Part>& held = model.bodies[SceneModel::kObject].parts;
+    tool = gripper.parts;
+    if (!contents.object.empty()) held = make_object(contents.object, gripper.opening_m);
+    for (Part& part : held) part.mesh = moved(part.mesh, gripper.T_tool_grasp);
+    for (std::vector<Part>* parts : {&tool, &held}) {
+        for (Part& part : *parts) part.material.texture = grain(contents.texture_contrast);
     }
-    for (Part& part : body.parts) part.material.texture = grain(contents.texture_contrast);
-    return body;
 }
 
 }  // namespace
@@ -37,6 +38,8 @@ std::array<Pose, SceneModel::kBodies> body_poses(const JointAngles& joints_rad) 
     for (std::size_t i = 0; i < T_world_link.size(); ++i) T_world_body[1 + i] = T_world_link[i];
     T_world_body[SceneModel::kTool] = tool_pose(joints_rad);
     T_world_body[SceneModel::kIntruder] = Pose::Identity();
+    T_world_body[SceneModel::kLeftTool] = Pose::Identity();
+    T_world_body[SceneModel::kObject] = T_world_body[SceneModel::kTool];
     return T_world_body;
 }
 
@@ -47,7 +50,7 @@ SceneModel make_scene(const SceneContents& contents) {
     if (contents.with_arm) {
         auto arm = make_arm();
         for (std::size_t i = 0; i < arm.size(); ++i) model.bodies[1 + i].parts = std::move(arm[i]);
-        model.bodies[SceneModel::kTool] = tool_body(contents);
+        mount(contents, model);
     }
     std::uint64_t number = 0;
     for (Body& body : model.bodies) {

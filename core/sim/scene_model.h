@@ -17,19 +17,23 @@ struct Body {
 };
 
 /// Body 0 is the surroundings (in WORLD), 1 the arm's base, 2 … 7 links 1 … 6, 8 what is mounted
-/// on the flange (in tool0), 9 a strange thing that may come (in WORLD).
+/// on the flange (in tool0), 9 a strange thing that may come (in WORLD), 10 what is held (in
+/// tool0), 11 a tool that may be left (in WORLD).
 struct SceneModel {
-    static constexpr std::size_t kBodies = 10;
+    static constexpr std::size_t kBodies = 12;
     static constexpr std::size_t kSurroundings = 0;
     static constexpr std::size_t kFlange = 7;
     static constexpr std::size_t kTool = 8;
     static constexpr std::size_t kIntruder = 9;
+    static constexpr std::size_t kObject = 10;
+    static constexpr std::size_t kLeftTool = 11;
     std::array<Body, kBodies> bodies;
+    Pose T_tool_grasp = Pose::Identity();  ///< where the gripper holds
 };
 
 /// Bodies that turn with joint 6.
 [[nodiscard]] constexpr bool turns_with_joint6(std::size_t body) {
-    return body == SceneModel::kFlange || body == SceneModel::kTool;
+    return body == SceneModel::kFlange || body == SceneModel::kTool || body == SceneModel::kObject;
 }
 
 [[nodiscard]] std::array<Pose, SceneModel::kBodies> body_poses(const JointAngles& joints_rad);

@@ -38,12 +38,14 @@ std::uint64_t noise_seed(std::uint64_t seed, const FrameRequest& request, std::s
 /// Nothing but joint 6, and what turns with it, stands elsewhere.
 bool differ_by_turn_only(const Moment& a, const Moment& b) {
     return std::equal(a.true_rad.begin(), a.true_rad.end() - 1, b.true_rad.begin()) &&
-           a.T_camera_moved.matrix() == b.T_camera_moved.matrix() && a.intruder == b.intruder;
+           a.T_camera_moved.matrix() == b.T_camera_moved.matrix() && a.intruder == b.intruder &&
+           a.tool == b.tool && a.surroundings_shift_m == b.surroundings_shift_m;
 }
 
 bool same_picture(const Moment& a, const Moment& b) {
     return differ_by_turn_only(a, b) && a.true_rad == b.true_rad &&
-           a.T_tool_part.matrix() == b.T_tool_part.matrix();
+           a.T_tool_part.matrix() == b.T_tool_part.matrix() &&
+           a.T_part_object.matrix() == b.T_part_object.matrix();
 }
 
 }  // namespace

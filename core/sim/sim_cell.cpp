@@ -2,6 +2,7 @@
 
 #include "core/base/units.h"
 #include "core/concurrency/worker_pool.h"
+#include "core/robot/kinematics.h"
 #include "core/sim/cabinet.h"
 #include "core/sim/cell_layout.h"
 #include "core/sim/frame_server.h"
@@ -32,6 +33,7 @@ sim::SceneContents contents_of(const SimCellSettings& settings, const sim::CellL
 /// What the robot's and the camera's side have in common, from the same seed every time.
 struct Plan {
     sim::CellLayout layout;
+    sim::CellLayout at_work;  ///< with the arm as a registration wants it
     std::vector<sim::Fault> faults;
     sim::StepFaults step_faults;
 };
@@ -39,8 +41,17 @@ struct Plan {
 Result<Plan> plan_of(const SimCellSettings& settings) {
     auto faults = sim::parse_faults(settings.faults);
     if (!faults) return forward_error(faults.error());
-    Plan plan{sim::make_layout(settings.seed), std::move(*faults), {}};
+    Plan plan{
+        sim::make_layout(settings.seed), sim::make_layout(settings.seed), std::move(*faults), {}};
     plan.layout.rig = sim::shrunk(plan.layout.rig, settings.image_fraction);
+    if (settings.other_joints_deg) {
+        for (std::size_t i = 0; i < 5; ++i) {
+            plan.layout.joints_rad[i] = rad_from_deg((*settings.other_joints_deg)[i]);
+        }
+        if (Status ok = check_joint_ranges(plan.layout.joints_rad); !ok) {
+            return forward_error(ok.error());
+        }
+    }
     double& joint6_rad = plan.layout.joints_rad[5];
     if (settings.start_joint6_deg) joint6_rad = rad_from_deg(*settings.start_joint6_deg);
     plan.step_faults = sim::StepFaults(plan.faults, joint6_rad, rad_from_deg(settings.step_deg),
@@ -53,6 +64,7 @@ Result<Plan> plan_of(const SimCellSettings& settings) {
 /// In the order in which they need each other: the servers end first.
 struct SimCell::Impl {
     sim::CellLayout layout;
+    sim::CellLayout at_work;
     sim::StepFaults faults;
     sim::SceneModel model;
     Box region;
@@ -67,8 +79,9 @@ struct SimCell::Impl {
 
     Impl(const Plan& plan, const SimCellSettings& settings)
         : layout(plan.layout),
+          at_work(plan.at_work),
           faults(plan.step_faults),
-          axis_hint(joint6_axis_in_camera(plan.layout).direction),
+          axis_hint(joint6_axis_in_camera(plan.at_work).direction),
           cabinet(sim::ArmMotion(plan.layout.joints_rad,
                                  sim::seed_for(settings.seed, sim::Use::kRobot), plan.step_faults),
                   {}, plan.faults,
@@ -80,9 +93,9 @@ struct SimCell::Impl {
 };
 
 Status SimCell::Impl::build_scene(const SimCellSettings& settings) {
-    sim::SceneContents contents = contents_of(settings, layout);
+    sim::SceneContents contents = contents_of(settings, at_work);
     model = sim::make_scene(contents);
-    region = sim::registration_area(layout, model);
+    region = sim::registration_area(at_work, model);
     if (!settings.with_arm) {
         contents.with_arm = false;
         model = sim::make_scene(contents);
@@ -91,6 +104,11 @@ Status SimCell::Impl::build_scene(const SimCellSettings& settings) {
         model.bodies[sim::SceneModel::kIntruder] =
             sim::make_intruder(thickness_m, region, layout.T_world_camera,
                                sim::seed_for(settings.seed, sim::Use::kFaults, 1));
+    }
+    if (const double length_m = faults.planned_tool_m(); length_m > 0.0) {
+        model.bodies[sim::SceneModel::kLeftTool] =
+            sim::make_left_tool(length_m, region, layout.T_world_camera,
+                                sim::seed_for(settings.seed, sim::Use::kFaults, 2));
     }
     constexpr double kReach_m = 0.25;  // of the longest gripper with the longest object
     const sim::CameraSettings optics{{settings.blur_px, settings.noise_levels},
@@ -122,8 +140,12 @@ sim::Moment SimCell::Impl::look(const FrameRequest& request) const {
     sim::Moment moment;
     moment.true_rad = arm.true_rad;
     moment.T_tool_part = faults.T_tool_part(arm.joint6_rad);
+    moment.T_part_object =
+        model.T_tool_grasp * faults.T_grasp_object(arm.joint6_rad) * model.T_tool_grasp.inverse();
     moment.T_camera_moved = faults.T_camera_moved(arm.joint6_rad);
     moment.intruder = faults.intruder_m(arm.joint6_rad) > 0.0;
+    moment.tool = faults.tool_m(arm.joint6_rad) > 0.0;
+    moment.surroundings_shift_m = faults.surroundings_shift_m(arm.joint6_rad);
     moment.defocus_px = faults.defocus_px(arm.joint6_rad);
     moment.glare_px = faults.glare_px(arm.joint6_rad, request.attempt);
     return moment;
@@ -162,6 +184,9 @@ const Box& SimCell::region() const {
 }
 const Eigen::Vector3d& SimCell::axis_hint() const {
     return impl_->axis_hint;
+}
+const Pose& SimCell::T_robot_camera() const {
+    return impl_->layout.T_world_camera;
 }
 double SimCell::start_joint6_rad() const {
     return impl_->layout.joints_rad[5];

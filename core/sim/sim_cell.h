@@ -2,6 +2,7 @@
 // TCP through its controller, as a real one; the camera directly or on a frame port.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -29,6 +30,9 @@ struct SimCellSettings {
     std::string gripper = "two-finger";  ///< see sim_grippers()
     std::string object = "";             ///< empty: nothing in the gripper; see sim_objects()
     bool with_arm = true;                ///< false: the arm is out of the picture (environment)
+    /// Where joints 1 … 5 stand, deg; none: before the camera, as the registration wants them. The
+    /// registration area stays where it is.
+    std::optional<std::array<double, 5>> other_joints_deg = {};
     double noise_levels = 2.0;           ///< standard deviation, of 255
     double blur_px = 0.6;                ///< Gaussian sigma
     double texture_contrast = 0.0;       ///< levels; 0: kSimTextureLevels
@@ -66,6 +70,8 @@ class SimCell {
     [[nodiscard]] const StereoRig& rig() const;
     [[nodiscard]] const Box& region() const;
     [[nodiscard]] const Eigen::Vector3d& axis_hint() const;
+    /// Where the camera stands in FANUC WORLD, as the calibration of the cell would tell.
+    [[nodiscard]] const Pose& T_robot_camera() const;
     /// Joint 6 at which the procedure starts, rad.
     [[nodiscard]] double start_joint6_rad() const;
     /// Renders what the camera sees at that moment; from any thread, one after the other.
@@ -75,7 +81,9 @@ class SimCell {
     /// Writes truth.json (axis, rig, poses of the captures grabbed so far, in the camera frame),
     /// surface.ply (the true surface of gripper and object as a mesh) and visible.ply (points of it
     /// inside the region that both cameras have seen in at least one capture grabbed so far), both
-    /// in the camera frame of the first capture. At least one capture must have been grabbed.
+    /// in the camera frame of the first capture. Where an object is held, object_surface.ply and
+    /// object_visible.ply are the same of the object alone. At least one capture must have been
+    /// grabbed.
     [[nodiscard]] Status write_truth(const std::filesystem::path& folder) const;
 
   private:

@@ -93,6 +93,20 @@ Pose StepFaults::T_tool_part(double angle_rad) const {
     return T;
 }
 
+Pose StepFaults::T_grasp_object(double angle_rad) const {
+    Pose T = Pose::Identity();
+    if (const Fault* slip = active(FaultKind::kObjectSlip, angle_rad)) {
+        SeededRandom random(SeededRandom(seed_ + 2).next());
+        const double towards = random.uniform(0.0, 2.0 * std::numbers::pi);
+        T.translation() =
+            slip->amount / kMmPerM * Eigen::Vector3d(0.0, std::cos(towards), std::sin(towards));
+    }
+    if (const Fault* twist = active(FaultKind::kObjectTwist, angle_rad)) {
+        T.linear() = rotation_from_vector(rad_from_deg(twist->amount) * Eigen::Vector3d::UnitX());
+    }
+    return T;
+}
+
 Pose StepFaults::T_camera_moved(double angle_rad) const {
     Pose T = Pose::Identity();
     if (const Fault* bump = active(FaultKind::kBump, angle_rad)) {
@@ -107,6 +121,18 @@ Pose StepFaults::T_camera_moved(double angle_rad) const {
 double StepFaults::intruder_m(double angle_rad) const {
     const Fault* intruder = active(FaultKind::kIntruder, angle_rad);
     return intruder == nullptr ? 0.0 : intruder->amount / kMmPerM;
+}
+
+double StepFaults::tool_m(double angle_rad) const {
+    const Fault* tool = active(FaultKind::kTool, angle_rad);
+    return tool == nullptr ? 0.0 : tool->amount / kMmPerM;
+}
+
+Eigen::Vector3d StepFaults::surroundings_shift_m(double angle_rad) const {
+    const Fault* shift = active(FaultKind::kShift, angle_rad);
+    if (shift == nullptr) return Eigen::Vector3d::Zero();
+    SeededRandom random(SeededRandom(seed_ + 2).next());
+    return shift->amount / kMmPerM * random_direction(random);
 }
 
 double StepFaults::defocus_px(double angle_rad) const {
@@ -126,11 +152,22 @@ double StepFaults::planned_intruder_m() const {
     return intruder == nullptr ? 0.0 : intruder->amount / kMmPerM;
 }
 
+double StepFaults::planned_tool_m() const {
+    const Fault* tool = planned(FaultKind::kTool);
+    return tool == nullptr ? 0.0 : tool->amount / kMmPerM;
+}
+
 double StepFaults::slack_m(double reach_m) const {
     double slack_m = 0.0;
     if (const Fault* slip = planned(FaultKind::kSlip)) slack_m += std::abs(slip->amount) / kMmPerM;
     if (const Fault* loose = planned(FaultKind::kLoose)) {
         slack_m += kLooseShift_m + 1.2 * rad_from_deg(loose->amount) * reach_m;
+    }
+    if (const Fault* slip = planned(FaultKind::kObjectSlip)) {
+        slack_m += std::abs(slip->amount) / kMmPerM;
+    }
+    if (const Fault* twist = planned(FaultKind::kObjectTwist)) {
+        slack_m += rad_from_deg(std::abs(twist->amount)) * reach_m;
     }
     return slack_m;
 }

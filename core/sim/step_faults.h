@@ -22,10 +22,17 @@ class StepFaults {
     [[nodiscard]] double true_joint6_rad(double angle_rad, bool rising) const;
     /// Where what is mounted stands in the flange's tool0; the identity: as it was mounted.
     [[nodiscard]] Pose T_tool_part(double angle_rad) const;
+    /// Where what is held stands in the frame of the grasp; the identity: as it was gripped. It
+    /// slides across the fingers' stroke x, which holds it, and turns about it.
+    [[nodiscard]] Pose T_grasp_object(double angle_rad) const;
     /// Where the camera stands now, in the frame it had at the start.
     [[nodiscard]] Pose T_camera_moved(double angle_rad) const;
     /// Thickness of a strange thing in the registration area, m; 0: none.
     [[nodiscard]] double intruder_m(double angle_rad) const;
+    /// Length of a tool left in the registration area, m; 0: none.
+    [[nodiscard]] double tool_m(double angle_rad) const;
+    /// By how much everything that does not belong to the arm stands elsewhere, in WORLD.
+    [[nodiscard]] Eigen::Vector3d surroundings_shift_m(double angle_rad) const;
     /// Standard deviation of the additional blur; 0: none.
     [[nodiscard]] double defocus_px(double angle_rad) const;
     /// Radius of the saturated spot; 0: none.
@@ -33,7 +40,9 @@ class StepFaults {
 
     /// Thickness of the thing that comes at some angle; 0: none comes.
     [[nodiscard]] double planned_intruder_m() const;
-    /// How far a point of the gripper, `reach_m` from the flange, may be moved by loose or slip.
+    /// Length of the tool that is left at some angle; 0: none is.
+    [[nodiscard]] double planned_tool_m() const;
+    /// How far a point of gripper or object, `reach_m` from the flange, may be moved by faults.
     [[nodiscard]] double slack_m(double reach_m) const;
 
   private:

@@ -41,9 +41,12 @@ ordered_json json_of_capture(const TruthSource& truth, int capture, const Moment
     return {{"index", capture},
             {"joints_deg", joints_deg},
             {"T_first_k", row_major_from_pose(pose_to_first(truth, capture))},
+            {"T_camera_object", row_major_from_pose(T_camera_object(truth.layout, moment))},
             {"T_camera_tool", row_major_from_pose(T_camera_part(truth.layout, moment))},
             {"T_world_camera", row_major_from_pose(T_world_camera(truth.layout, moment))},
             {"intruder", moment.intruder},
+            {"tool", moment.tool},
+            {"surroundings_shift_m", json_of(moment.surroundings_shift_m)},
             {"defocus_px", moment.defocus_px},
             {"glare_px", moment.glare_px}};
 }
@@ -69,6 +72,36 @@ Mesh mesh_of(const Body& body) {
     return mesh;
 }
 
+/// What a scan of some bodies could find at best, in the camera frame of the first capture.
+struct IdealScan {
+    Mesh surface;
+    std::vector<SurfaceSample> visible;
+};
+
+void scan(const TruthSource& truth, std::size_t body, VisibilityTest& visibility,
+          const ForEach& for_each, IdealScan& result) {
+    const Moment& first = truth.captures.begin()->second;
+    const Mesh mesh = mesh_of(truth.model.bodies[body]);
+    const Pose T_camera_body =
+        T_world_camera(truth.layout, first).inverse() * body_poses(first)[body];
+    append(result.surface, mesh, T_camera_body);
+    const auto samples = sample_surface(mesh, kSpacing_m);
+    std::vector<char> seen(samples.size(), 0);
+    for (const auto& [capture, moment] : truth.captures) {
+        visibility.mark(moment, body, samples, seen, for_each);
+    }
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (seen[i] == 0) continue;
+        result.visible.push_back(
+            {T_camera_body * samples[i].point_m, T_camera_body.linear() * samples[i].normal});
+    }
+}
+
+Status save(const IdealScan& scan, const std::filesystem::path& folder, const std::string& prefix) {
+    if (Status ok = save_mesh_ply(folder / (prefix + "surface.ply"), scan.surface); !ok) return ok;
+    return save_samples_ply(folder / (prefix + "visible.ply"), scan.visible);
+}
+
 }  // namespace
 
 Pose pose_to_first(const TruthSource& truth, int capture) {
@@ -85,33 +118,21 @@ Status write_truth_files(const TruthSource& truth, const std::filesystem::path& 
     if (!scene) return forward_error(scene.error());
     VisibilityTest visibility(truth.layout, truth.region, std::move(*scene));
 
-    const Moment& first = truth.captures.begin()->second;
-    const Pose T_first_world = T_world_camera(truth.layout, first).inverse();
-    const auto T_world_body = body_poses(first);
-    Mesh surface;
-    std::vector<SurfaceSample> visible;
-    for (const std::size_t body : {SceneModel::kFlange, SceneModel::kTool}) {
-        const Mesh mesh = mesh_of(truth.model.bodies[body]);
-        const Pose T_camera_body = T_first_world * T_world_body[body];
-        append(surface, mesh, T_camera_body);
-        const auto samples = sample_surface(mesh, kSpacing_m);
-        std::vector<char> seen(samples.size(), 0);
-        for (const auto& [capture, moment] : truth.captures) {
-            visibility.mark(moment, body, samples, seen, for_each);
-        }
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            if (seen[i] == 0) continue;
-            visible.push_back(
-                {T_camera_body * samples[i].point_m, T_camera_body.linear() * samples[i].normal});
-        }
+    IdealScan whole;
+    for (const std::size_t body : {SceneModel::kFlange, SceneModel::kTool, SceneModel::kObject}) {
+        scan(truth, body, visibility, for_each, whole);
     }
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure) {
         return input_error("cannot make the folder {}: {}", folder.string(), failure.message());
     }
-    if (Status ok = save_mesh_ply(folder / "surface.ply", surface); !ok) return ok;
-    if (Status ok = save_samples_ply(folder / "visible.ply", visible); !ok) return ok;
+    if (Status ok = save(whole, folder, ""); !ok) return ok;
+    if (!truth.model.bodies[SceneModel::kObject].parts.empty()) {
+        IdealScan object;
+        scan(truth, SceneModel::kObject, visibility, for_each, object);
+        if (Status ok = save(object, folder, "object_"); !ok) return ok;
+    }
     return write_file_atomically(folder / "truth.json", json_of(truth).dump(1) + "\n");
 }
 

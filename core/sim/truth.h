@@ -23,7 +23,8 @@ struct TruthSource {
 /// truth.json, surface.ply (the turning solids as a mesh, camera frame of the first capture; solids
 /// overlap, so it has faces inside) and visible.ply (points of that surface, at most 1 mm apart,
 /// that both cameras saw inside the region in at least one capture, under less than 75° to the
-/// surface's normal).
+/// surface's normal). Where an object is held, object_surface.ply and object_visible.ply are the
+/// same of the object alone.
 [[nodiscard]] Status write_truth_files(const TruthSource& truth,
                                        const std::filesystem::path& folder,
                                        const ForEach& for_each);

@@ -15,6 +15,9 @@ struct TemplateScore {
     double p99_mm = 0.0;
     double max_mm = 0.0;
     double coverage = 0.0;  ///< share of the visible samples with a point within 1 mm
+    /// Of an object: share of the points that are not its own: nearer to what holds it than to it, or
+    /// more than 2 mm off its surface.
+    double foreign = 0.0;
 };
 
 /// `T_first_template`: from the template's frame into the camera frame of the first true capture.

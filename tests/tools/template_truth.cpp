@@ -1,4 +1,4 @@
-// template_truth TEMPLATE TRUTH_DIR [--turns TURNS.json --captures CAPTURES.csv]
+// template_truth TEMPLATE TRUTH_DIR [--object] [--turns TURNS.json --captures CAPTURES.csv]
 // Measures a template (and the poses it was merged with) against the simulated cell's truth.
 #include <fmt/core.h>
 
@@ -22,12 +22,13 @@ struct Arguments {
     std::string truth_folder;
     std::string turns_json;
     std::string captures_csv;
+    bool object = false;
 };
 
 ordered_json json_of(const TemplateScore& score) {
-    return {{"points", score.points},    {"rms_mm", score.rms_mm}, {"p50_mm", score.p50_mm},
-            {"p90_mm", score.p90_mm},    {"p99_mm", score.p99_mm}, {"max_mm", score.max_mm},
-            {"coverage", score.coverage}};
+    return {{"points", score.points},     {"rms_mm", score.rms_mm},  {"p50_mm", score.p50_mm},
+            {"p90_mm", score.p90_mm},     {"p99_mm", score.p99_mm},  {"max_mm", score.max_mm},
+            {"coverage", score.coverage}, {"foreign", score.foreign}};
 }
 
 ordered_json json_of(const std::vector<PoseError>& errors) {
@@ -71,7 +72,8 @@ Pose first_used(const Turns& turns, const Truth& truth) {
 }
 
 Result<ordered_json> measure(const Arguments& arguments) {
-    const auto truth = load_truth(arguments.truth_folder);
+    const auto truth = arguments.object ? load_object_truth(arguments.truth_folder)
+                                        : load_truth(arguments.truth_folder);
     if (!truth) return forward_error(truth.error());
     const auto points = load_cloud(arguments.template_file);
     if (!points) return forward_error(points.error());
@@ -95,6 +97,7 @@ int main(int argc, char** argv) {
     CLI::App app{"Measures a template against the truth of the simulated cell (JSON)"};
     app.add_option("template", arguments.template_file, "PCD, PLY or XYZ")->required();
     app.add_option("truth", arguments.truth_folder, "folder written with --truth")->required();
+    app.add_flag("--object", arguments.object, "of the held object alone");
     auto* turns = app.add_option("--turns", arguments.turns_json, "turns.json of the same run");
     auto* captures = app.add_option("--captures", arguments.captures_csv, "its captures.csv");
     turns->needs(captures);

@@ -67,9 +67,7 @@ void read_json(const nlohmann::json& json, Truth& truth) {
     }
 }
 
-}  // namespace
-
-Result<Truth> load_truth(const std::filesystem::path& folder) {
+Result<Truth> load(const std::filesystem::path& folder, const std::string& prefix) {
     const auto text = read_whole_file(folder / "truth.json");
     if (!text) return forward_error(text.error());
     Truth truth;
@@ -78,12 +76,27 @@ Result<Truth> load_truth(const std::filesystem::path& folder) {
     } catch (const std::exception& e) {
         return input_error("{}: {}", (folder / "truth.json").string(), e.what());
     }
-    auto surface = load_surface(folder / "surface.ply");
+    auto surface = load_surface(folder / (prefix + "surface.ply"));
     if (!surface) return forward_error(surface.error());
     truth.surface = std::move(*surface);
-    auto visible = load_cloud(folder / "visible.ply");
+    auto visible = load_cloud(folder / (prefix + "visible.ply"));
     if (!visible) return forward_error(visible.error());
     truth.visible = std::move(*visible);
+    return truth;
+}
+
+}  // namespace
+
+Result<Truth> load_truth(const std::filesystem::path& folder) {
+    return load(folder, "");
+}
+
+Result<Truth> load_object_truth(const std::filesystem::path& folder) {
+    auto truth = load(folder, "object_");
+    if (!truth) return truth;
+    auto whole = load_surface(folder / "surface.ply");
+    if (!whole) return forward_error(whole.error());
+    truth->whole = std::move(*whole);
     return truth;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "core/base/result.h"
 #include "core/cloud/cloud.h"
@@ -21,9 +22,12 @@ struct Truth {
     std::map<int, TrueCapture> captures;  ///< by index; "first" is the lowest one
     Surface surface;                      ///< camera frame of the first capture
     Cloud visible;                        ///< the same frame
+    std::optional<Surface> whole;         ///< of everything that turns, where an object alone was asked
 };
 
 /// truth.json, surface.ply and visible.ply of a folder written by SimCell::write_truth().
 [[nodiscard]] Result<Truth> load_truth(const std::filesystem::path& folder);
+/// The same with surface and visible places of the held object alone.
+[[nodiscard]] Result<Truth> load_object_truth(const std::filesystem::path& folder);
 
 }  // namespace gripscan::test

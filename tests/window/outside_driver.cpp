@@ -37,9 +37,16 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
+/// GRIPSCAN_WINDOW_PATIENCE=10 waits ten times as long: under a sanitizer.
+double patience() {
+    const char* factor = std::getenv("GRIPSCAN_WINDOW_PATIENCE");
+    return factor != nullptr ? std::atof(factor) : 1.0;
+}
+
 template <typename Condition>
 bool wait_until(double patience_s, const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+    const auto end =
+        std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s * patience());
     while (!condition()) {
         if (std::chrono::steady_clock::now() > end) return false;
         std::this_thread::sleep_for(20ms);
@@ -134,12 +141,20 @@ bool OutsideDriver::click(const std::string& id, double patience_s) const {
 }
 
 bool OutsideDriver::begin(const std::string& id, double patience_s) const {
-    if (!click(id, patience_s)) return false;
+    return click(id, patience_s) && taken(id);
+}
+
+bool OutsideDriver::taken(const std::string& id) const {
     constexpr double kReaction_s = 10.0;
     return wait_until(kReaction_s, [&] {
         const auto control = find(id);
         return !control || !control->enabled;
     });
+}
+
+bool OutsideDriver::wait_for_file(const fs::path& file) const {
+    constexpr double kWork_s = 120.0;
+    return wait_until(kWork_s, [&] { return fs::exists(file); });
 }
 
 bool OutsideDriver::right_click(const std::string& id, double patience_s) const {
@@ -154,6 +169,10 @@ void OutsideDriver::key(const std::string& name) const {
 void OutsideDriver::type(const std::string& text) const {
     run_xdotool({"type", "--delay", "40", text});
     std::this_thread::sleep_for(100ms);
+}
+
+void OutsideDriver::close_window() const {
+    run_xdotool({"search", "--name", "gripscan", "windowquit"});
 }
 
 bool OutsideDriver::running() const {

@@ -40,10 +40,15 @@ class OutsideDriver {
     [[nodiscard]] bool click(const std::string& id, double patience_s = 120.0) const;
     /// The same for one that begins something: returns once it cannot be pressed any more.
     [[nodiscard]] bool begin(const std::string& id, double patience_s = 120.0) const;
+    /// Waits until it cannot be pressed any more: what was asked for is going on.
+    [[nodiscard]] bool taken(const std::string& id) const;
+    [[nodiscard]] bool wait_for_file(const std::filesystem::path& file) const;
     [[nodiscard]] bool right_click(const std::string& id, double patience_s = 120.0) const;
     /// As xdotool names it: "space", "Escape", "ctrl+z".
     void key(const std::string& name) const;
     void type(const std::string& text) const;
+    /// As the cross in the corner of its frame does.
+    void close_window() const;
 
     void kill_now();
     /// Waits for the end; the exit status, 128 + signal if it was killed.

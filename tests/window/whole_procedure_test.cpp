@@ -55,7 +55,7 @@ TEST(WholeProcedure, ByHandThenByItselfToTheExportedTemplate) {
     ASSERT_TRUE(driver.begin("step.capture"));
     ASSERT_TRUE(driver.wait_for("step.step")) << driver.find("step.step")->reason;
     driver.key("space");  // the next action: the first step
-    for (int i = 0; i < 200 && driver.find("step.step")->enabled; ++i) ::usleep(20000);
+    ASSERT_TRUE(driver.taken("step.step"));
     ASSERT_TRUE(driver.begin("step.retry"));
     ASSERT_TRUE(driver.begin("step.halve"));
     ASSERT_TRUE(driver.begin("step.step"));
@@ -72,8 +72,7 @@ TEST(WholeProcedure, ByHandThenByItselfToTheExportedTemplate) {
         fs::path("/tmp") / ("gripscan-window-" + std::to_string(::getpid()) + ".pcd");
     driver.type(exported.string());
     ASSERT_TRUE(driver.click("export.write"));
-    for (int i = 0; i < 500 && !fs::exists(exported); ++i) ::usleep(20000);
-    ASSERT_TRUE(fs::exists(exported)) << driver.error_text();
+    ASSERT_TRUE(driver.wait_for_file(exported)) << driver.error_text();
     driver.key("ctrl+w");
     ASSERT_TRUE(driver.wait_for("start.simulated"));
 
@@ -96,13 +95,17 @@ TEST(WholeProcedure, ARunInTheWindowIsTheRunOfTheCommandLine) {
     const fs::path home = folder / "home";
     OutsideDriver driver(home, {});
     begin_turn(driver);
-    ASSERT_TRUE(driver.click("mode.run"));
+    ASSERT_TRUE(driver.begin("mode.run"));
+    driver.close_window();  // a hand slipped: it asks, and goes on
+    ASSERT_TRUE(driver.click("close.stay")) << driver.error_text();
     ASSERT_TRUE(driver.wait_for("window.export", 800.0)) << driver.error_text();
     ASSERT_EQ(run_headless({"run", "gripper", "--cell", "sim", "--step-deg", step_deg(), "--out",
                             (folder / "headless").string()}),
               0);
     EXPECT_EQ(read_text(session_in(home) / "results/template.pcd"),
               read_text(folder / "headless/results/template.pcd"));
+    driver.close_window();  // nothing goes on: no question
+    EXPECT_EQ(driver.wait_for_end(), 0);
 }
 
 /// Killed in the middle of a run: the next start offers to resume and goes on at the step.
@@ -113,10 +116,7 @@ TEST(WholeProcedure, KilledWhileBusyTheNextStartGoesOn) {
         OutsideDriver driver(home, {});
         begin_turn(driver);
         ASSERT_TRUE(driver.click("mode.run"));
-        for (int i = 0; i < 6000; ++i) {
-            if (fs::exists(session_in(home) / "frames/003_right.png")) break;
-            ::usleep(20000);
-        }
+        ASSERT_TRUE(driver.wait_for_file(session_in(home) / "frames/003_right.png"));
         driver.kill_now();
     }
     OutsideDriver driver(home, {});

@@ -1,5 +1,7 @@
 #include "ui/gl/image_texture.h"
 
+#include "ui/gl/texture_version.h"
+
 namespace gripscan::ui {
 
 void ImageTexture::upload_grey(int width_px, int height_px, const std::uint8_t* pixels,
@@ -36,6 +38,7 @@ void ImageTexture::upload(int width_px, int height_px, const void* pixels, std::
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glBindTexture(GL_TEXTURE_2D, 0);
+    note_texture_changed(texture_.name());
 }
 
 }  // namespace gripscan::ui

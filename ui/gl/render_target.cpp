@@ -48,6 +48,20 @@ void RenderTarget::bind() const {
     glViewport(0, 0, width_px_, height_px_);
 }
 
+void RenderTarget::stretch_smoothly() const {
+    glBindTexture(GL_TEXTURE_2D, colour_.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void RenderTarget::copy_to_window() const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width_px_, height_px_, 0, 0, width_px_, height_px_, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 std::vector<std::uint8_t> RenderTarget::read_rgba() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     return read_framebuffer_rgba(width_px_, height_px_);

@@ -25,6 +25,11 @@ class RenderTarget {
     /// 0 without a depth texture.
     [[nodiscard]] GLuint depth() const { return depth_ ? depth_->name() : 0; }
 
+    /// Shown larger it is smoothed.
+    void stretch_smoothly() const;
+    /// Its colours into the window's framebuffer, which is as large and is bound after it.
+    void copy_to_window() const;
+
     /// RGBA rows from top to bottom.
     [[nodiscard]] std::vector<std::uint8_t> read_rgba() const;
     /// Depths (0 near … 1 far) of a window with its lower left corner at (x, y), rows upwards.

@@ -59,6 +59,14 @@ struct Screen {
         draw_toasts(ui, places.view, snapshot, out);
     }
 
+    void recognise_page() const {
+        draw_stage_bar(ui, layout.stage_bar, snapshot, layout.detail, out);
+        const RecognisePageLayout places = recognise_page_layout(page(), state.splits, ui.scale);
+        view(places.view);
+        draw_recognise_page(ui, places, snapshot, parts.recognised.get(), state.recognise, out);
+        draw_toasts(ui, places.view, snapshot, out);
+    }
+
     void cell_page() const {
         draw_stage_bar(ui, layout.stage_bar, snapshot, layout.detail, out);
         draw_cell_page(ui, page(), snapshot, state.cell, out);
@@ -136,6 +144,7 @@ Result<ScreenParts> make_screen_parts() {
     parts.view3d = std::move(*view3d);
     parts.pictures = std::make_unique<PictureCache>();
     parts.stereo = std::make_unique<StereoTextures>();
+    parts.recognised = std::make_unique<StereoTextures>();
     return parts;
 }
 
@@ -155,6 +164,9 @@ void draw_screen(const Ui& ui, int width_px, int height_px, const Snapshot& snap
             break;
         case Page::kTemplate:
             screen.template_page();
+            break;
+        case Page::kRecognise:
+            screen.recognise_page();
             break;
         case Page::kCell:
             screen.cell_page();

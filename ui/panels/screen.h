@@ -16,6 +16,7 @@
 #include "ui/panels/note_dialog.h"
 #include "ui/panels/open_dialog.h"
 #include "ui/panels/picture_cache.h"
+#include "ui/panels/recognise_page.h"
 #include "ui/panels/settings_dialog.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/step_card.h"
@@ -36,6 +37,7 @@ struct ScreenState {
     StereoPanelState stereo;
     View3dState view3d;
     TemplatePageState template_page;
+    RecognisePageState recognise;
     CellPageState cell;
     NewSessionState new_session;
     OpenDialogState open;
@@ -54,6 +56,7 @@ struct ScreenParts {
     std::unique_ptr<View3d> view3d;
     std::unique_ptr<PictureCache> pictures;
     std::unique_ptr<StereoTextures> stereo;
+    std::unique_ptr<StereoTextures> recognised;
     /// The picture is not complete yet.
     [[nodiscard]] bool wants_another_frame() const;
 };

@@ -9,6 +9,7 @@
 #include "ui/panels/action_button.h"
 #include "ui/panels/row_menu.h"
 #include "ui/panels/step_images.h"
+#include "ui/panels/text_table.h"
 #include "ui/views/log_text.h"
 #include "ui/widgets/choice.h"
 #include "ui/widgets/data_table.h"
@@ -19,38 +20,6 @@ namespace {
 
 constexpr float kHeader = 2.43F;
 
-Tone tone_of(Emphasis emphasis) {
-    constexpr std::array kTones{Tone::kNormal, Tone::kSecond, Tone::kThird,
-                                Tone::kStrong, Tone::kCheck,  Tone::kReject};
-    return kTones[static_cast<std::size_t>(emphasis)];
-}
-
-std::vector<TableRow> rows_of(const std::vector<RowText>& texts) {
-    std::vector<TableRow> rows;
-    for (const RowText& text : texts) {
-        TableRow row;
-        row.tint = text.tint;
-        for (const CellText& cell : text.cells) {
-            row.cells.push_back(
-                {cell.text, tone_of(cell.emphasis), cell.shape, cell.note, cell.bar});
-        }
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
-
-/// A table of words as the widget draws it.
-TableEvent draw_table(const Ui& ui, const Rect& rect, std::string_view id, const TableText& text,
-                      std::optional<std::size_t> selected, bool follow) {
-    std::vector<TableColumn> columns;
-    for (const ColumnText& c : text.columns) {
-        columns.push_back({c.title, c.group, c.width_px, c.fills, c.words, c.drop});
-    }
-    const auto rows = rows_of(text.rows);
-    const auto last = rows_of(text.last_rows);
-    return data_table(ui, rect, {id, columns, rows, last, selected, follow});
-}
-
 void table_tab(const Ui& ui, const Rect& rect, const Snapshot& snapshot, TableDockState& local,
                Requests& out) {
     if (snapshot.procedure == nullptr) return;
@@ -60,7 +29,7 @@ void table_tab(const Ui& ui, const Rect& rect, const Snapshot& snapshot, TableDo
     if (steps > 0) {
         selected = snapshot.follows_last ? steps - 1 : std::min(snapshot.selected_row, steps - 1);
     }
-    const TableEvent event = draw_table(ui, rect, "table", text, selected, snapshot.follows_last);
+    const TableEvent event = draw_text_table(ui, rect, "table", text, selected, snapshot.follows_last);
     const auto is_step = [&](const std::optional<std::size_t>& row) { return row && *row < steps; };
     if (is_step(event.clicked)) {
         const bool last = *event.clicked + 1 == steps;
@@ -148,7 +117,7 @@ void draw_table_dock(const Ui& ui, const Rect& rect, const Snapshot& snapshot, c
         case DockTab::kImages:
             return draw_step_images(ui, area, snapshot, pictures);
         case DockTab::kAttempts:
-            (void)draw_table(ui, area, "attempts", attempts_text(snapshot), std::nullopt, true);
+            (void)draw_text_table(ui, area, "attempts", attempts_text(snapshot), std::nullopt, true);
             return;
         case DockTab::kLog:
             return draw_log_list(ui, area, snapshot, log, out);

@@ -40,8 +40,9 @@ struct PageTab {
     std::string_view action;
     Icon icon;
 };
-constexpr std::array<PageTab, 3> kPages{{{Page::kProcedure, "page.procedure", Icon::kProcedure},
+constexpr std::array<PageTab, 4> kPages{{{Page::kProcedure, "page.procedure", Icon::kProcedure},
                                          {Page::kTemplate, "page.template", Icon::kCube},
+                                         {Page::kRecognise, "page.recognise", Icon::kMagnify},
                                          {Page::kCell, "page.cell", Icon::kTarget}}};
 
 /// Returns where they end.

@@ -76,6 +76,28 @@ void draw_steps(const Ui& ui, const Rect& rect, const SceneParts& parts, bool gh
     if (ghost) draw_ghost_key(ui, card, parts);
 }
 
+/// Of a recognised view: whose points are which.
+void draw_match(const Ui& ui, const Rect& rect, const SceneParts& parts) {
+    const Rect card = card_at(ui, rect, 30.0F, ui.em(2.43F));
+    draw_card(ui, card);
+    const float y = static_cast<float>(card.y) + 0.5F * static_cast<float>(card.height);
+    const int side = ui.em(0.79F);
+    float x = static_cast<float>(card.x) + ui.scale.em(0.86F);
+    const float end = static_cast<float>(card.right()) - ui.scale.em(0.86F);
+    const auto entry = [&](const Colour& colour, const std::string& words) {
+        if (x + text_width(ui, FontRole::kSmall, words) + ui.scale.em(1.3F) > end) return;
+        fill({static_cast<int>(x), static_cast<int>(y) - side / 2, side, side}, colour);
+        x = draw_text(ui, x + ui.scale.em(1.14F), y, FontRole::kSmall, ui.theme.text_second, words);
+        x += ui.scale.em(1.14F);
+    };
+    for (const SceneCloud& cloud : parts.clouds) {
+        if (cloud.colour == nullptr) continue;
+        entry(ui.theme.*cloud.colour,
+              shown_count(static_cast<long long>(cloud.cloud->size())) + " points");
+    }
+    entry(ui.theme.text_third, "scene");
+}
+
 void draw_range_inputs(const Ui& ui, const Rect& card, const Colouring& colouring,
                        const LegendRange& range, View3dState& state) {
     const int side = ui.em(0.86F);
@@ -126,6 +148,10 @@ void draw_view3d_legend(const Ui& ui, const Rect& rect, const LegendInput& input
     if (parts.kind == SceneKind::kEmpty) return;
     if (parts.kind == SceneKind::kPair) {
         draw_pair(ui, rect, parts, state);
+        return;
+    }
+    if (input.by == ColourBy::kChunk) {
+        draw_match(ui, rect, parts);
         return;
     }
     if (input.by == ColourBy::kStep) {

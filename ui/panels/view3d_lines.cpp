@@ -12,6 +12,7 @@
 #include "ui/render/primitives.h"
 #include "ui/render/silhouette.h"
 #include "ui/theme/shown_number.h"
+#include "ui/views/recognition_text.h"
 
 namespace gripscan::ui {
 namespace {
@@ -52,7 +53,10 @@ Eigen::Vector3d lower_left_corner(const Box& box, const LineInput& input) {
 
 void add_region(const LineInput& input, SceneLines& out) {
     const auto& region = input.snapshot.cell.region;
-    if (!region || input.parts.kind == SceneKind::kTemplate) return;
+    if (!region || input.parts.kind == SceneKind::kTemplate ||
+        input.parts.kind == SceneKind::kFound) {
+        return;
+    }
     add_box(out.lines, *region, Pose::Identity(),
             {input.theme.text_third, 1.0F, {}, HiddenStyle::kFaint});
     out.labels.push_back({lower_left_corner(*region, input),
@@ -145,6 +149,27 @@ void add_ghost(const LineInput& input, LineBatch& lines) {
     }
 }
 
+/// Cuboids and frames of the templates that were found.
+void add_found(const LineInput& input, SceneLines& out) {
+    if (input.parts.kind != SceneKind::kFound) return;
+    const ShownRecognition& shown = *input.snapshot.recognition;
+    const std::array colours{input.theme.axis_x, input.theme.axis_y, input.theme.axis_z};
+    for (std::size_t i = 0; i < shown.found.size(); ++i) {
+        const FoundTemplate& found = shown.found[i];
+        const Pose& T = found.T_camera_template;
+        const Colour colour = input.theme.*colour_of_found(shown, i);
+        add_box(out.lines, found.box, T, {colour, 1.6F, {}, HiddenStyle::kFaint});
+        const Eigen::Vector3d middle = 0.5 * (found.box.min_m + found.box.max_m);
+        const double length_m = 0.35 * (found.box.max_m - found.box.min_m).norm();
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::Vector3d end = middle + length_m * Eigen::Vector3d::Unit(k);
+            out.lines.segment(T * middle, T * end,
+                              {colours[static_cast<std::size_t>(k)], 2.4F, {}, HiddenStyle::kSame});
+        }
+        out.labels.push_back({T * found.box.max_m, found.name, {}, colour, 8.0, 0.0});
+    }
+}
+
 }  // namespace
 
 std::optional<Box> editable_box(const Snapshot& snapshot, const SceneParts& parts,
@@ -167,6 +192,7 @@ SceneLines scene_lines(const LineInput& input) {
         add_ghost(input, out.lines);
     }
     add_crop(input, out);
+    add_found(input, out);
     if (input.pivot_m) {
         const double half_m = 10.0 * input.px / input.camera.px_per_m(input.viewport);
         add_cross(out.lines, *input.pivot_m, half_m,

@@ -127,10 +127,12 @@ void View3d::take_input(const Ui& ui, const Rect& rect, const Snapshot& snapshot
     for (const std::string& key : command_keys()) take_key(key, snapshot, local);
 }
 
-void View3d::draw_scene(const Ui& ui, const Snapshot& snapshot, View3dState& local,
+void View3d::draw_scene(const Ui& ui, const Snapshot& snapshot, View3dState& local, Requests& out,
                         double last_frame_ms) {
     Parts& parts = *parts_;
     const ColourBy by = shown_colouring(parts.scene, local);
+    const bool residuals = by == ColourBy::kResidual;
+    if (residuals != snapshot.residuals_wanted) out.emplace_back(request::WantResiduals{residuals});
     const LegendRange range = parts.ranges.range(by, parts.scene, snapshot.filter.min_seen, local);
     const bool pivot =
         ui.time_s < local.pivot_shown_until_s || local.drag.what == ViewDrag::What::kOrbit;
@@ -197,7 +199,7 @@ void View3d::draw(const Ui& ui, const Rect& rect, const Snapshot& snapshot, View
     local.picture_rect = rect;
     lay_out(ui, rect, snapshot, local);
     take_input(ui, rect, snapshot, local, out);
-    draw_scene(ui, snapshot, local, last_frame_ms);
+    draw_scene(ui, snapshot, local, out, last_frame_ms);
     if (!parts_->trouble.empty()) {
         fill(rect, ui.theme.view_bottom);
         draw_message(ui, rect, "The 3D view cannot be drawn", parts_->trouble);

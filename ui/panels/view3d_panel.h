@@ -39,7 +39,7 @@ class View3d {
     void lay_out(const Ui& ui, const Rect& rect, const Snapshot& snapshot, View3dState& local);
     void take_input(const Ui& ui, const Rect& rect, const Snapshot& snapshot, View3dState& local,
                     Requests& out);
-    void draw_scene(const Ui& ui, const Snapshot& snapshot, View3dState& local,
+    void draw_scene(const Ui& ui, const Snapshot& snapshot, View3dState& local, Requests& out,
                     double last_frame_ms);
     void draw_overlays(const Ui& ui, const Rect& rect, const Snapshot& snapshot, View3dState& local,
                        Requests& out);

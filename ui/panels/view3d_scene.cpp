@@ -21,6 +21,17 @@ bool belongs(const SceneCloud& cloud, PaneContent content, const SceneCloud* las
 
 }  // namespace
 
+namespace {
+
+/// Where each cloud has one colour.
+Colour colour_of(const SceneCloud& cloud, const Theme& theme) {
+    if (cloud.colour != nullptr) return theme.*cloud.colour;
+    if (cloud.role == CloudRole::kScene) return theme.text_third;
+    return cloud.role == CloudRole::kSource ? theme.source : theme.target;
+}
+
+}  // namespace
+
 std::vector<PointChunk> chunks_of(const SceneParts& parts, PaneContent content,
                                   const Theme& theme) {
     const SceneCloud* last = last_visible(parts);
@@ -34,7 +45,7 @@ std::vector<PointChunk> chunks_of(const SceneParts& parts, PaneContent content,
         chunk.T_world_cloud = cloud.T_first_cloud;
         // The first view stands at the beginning of step 1 and has its colour.
         chunk.step = static_cast<std::uint16_t>(std::max(1, cloud.step));
-        chunk.colour = cloud.role == CloudRole::kSource ? theme.source : theme.target;
+        chunk.colour = colour_of(cloud, theme);
         chunk.visible = cloud.visible && belongs(cloud, content, last);
         chunks.push_back(std::move(chunk));
     }
@@ -138,7 +149,8 @@ CursorReading reading_of(const PickedPoint& point, std::span<const PointChunk> c
     CursorReading reading;
     reading.point_m = point.position_m;
     reading.step = chunk.step;
-    if (chunk.residual_m && point.point < chunk.residual_m->size()) {
+    if (chunk.residual_m && point.point < chunk.residual_m->size() &&
+        (*chunk.residual_m)[point.point] >= 0.0F) {
         reading.residual_m = (*chunk.residual_m)[point.point];
     }
     return reading;

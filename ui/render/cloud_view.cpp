@@ -1,9 +1,11 @@
 #include "ui/render/cloud_view.h"
 
+#include <cmath>
 #include <optional>
 
 #include "ui/gl/render_target.h"
 #include "ui/gl/shader_program.h"
+#include "ui/gl/texture_version.h"
 #include "ui/render/line_pass.h"
 #include "ui/render/point_pass.h"
 
@@ -57,47 +59,58 @@ struct CloudView::Parts {
     LinePass lines;
     ShaderProgram shade;
     GlVertexArray no_vertices;
-    std::optional<RenderTarget> moving;   ///< colours and depth of a sample, or of all if they fit
-    std::optional<RenderTarget> still;    ///< of all points, slice by slice
-    std::optional<RenderTarget> picture;  ///< what is shown
-    RenderTarget* shown = nullptr;        ///< moving or still
+    /// Colours and depth of points, and the picture made of them.
+    struct Layer {
+        std::optional<RenderTarget> points;
+        std::optional<RenderTarget> picture;
+        double part = 1.0;  ///< of the view's px a side
+    };
+    Layer sample{{}, {}, 0.5};  ///< some of the points while the view moves: half as fine
+    Layer moving;               ///< all of them, where they fit into a frame
+    Layer still;                ///< all of them, slice by slice
+    Layer* shown = nullptr;
     std::optional<PictureKey> key;
+    LineBatch lines_shown;
     LevelOfDetail detail;
     Box bounds;
 
     Status fit(int width_px, int height_px) {
-        if (picture && picture->width_px() == width_px && picture->height_px() == height_px) {
-            return {};
-        }
+        const auto& whole = moving.picture;
+        if (whole && whole->width_px() == width_px && whole->height_px() == height_px) return {};
         key.reset();
-        for (auto* target : {&moving, &still, &picture}) {
-            const bool flat = target == &picture;
-            auto made = RenderTarget::make(width_px, height_px,
-                                           flat ? DepthTexture::kNone : DepthTexture::kFloat32);
-            if (!made) return forward_error(made.error());
-            target->emplace(*std::move(made));
+        shown = nullptr;
+        for (Layer* layer : {&sample, &moving, &still}) {
+            const int width = static_cast<int>(std::ceil(layer->part * width_px));
+            const int height = static_cast<int>(std::ceil(layer->part * height_px));
+            auto points_made = RenderTarget::make(width, height, DepthTexture::kFloat32);
+            if (!points_made) return forward_error(points_made.error());
+            layer->points.emplace(*std::move(points_made));
+            auto picture_made = RenderTarget::make(width, height, DepthTexture::kNone);
+            if (!picture_made) return forward_error(picture_made.error());
+            layer->picture.emplace(*std::move(picture_made));
+            if (layer->part < 1.0) layer->picture->stretch_smoothly();
         }
         return {};
     }
 
-    /// The target of a slice; decides which one is shown.
-    RenderTarget& target_of(const Slice& slice, bool changed) {
+    /// The layer of a slice; decides which one is shown.
+    Layer& layer_of(const Slice& slice, bool changed) {
         constexpr double kShowFrom = 0.5;  // of the points: by then denser than the sample
-        if (changed) shown = &*moving;
+        if (changed) shown = slice.coarse ? &sample : &moving;
         if (changed || slice.empty()) return *shown;
-        if (slice.to >= kShowFrom) shown = &*still;
-        return *still;
+        if (slice.to >= kShowFrom) shown = &still;
+        return still;
     }
 
     void shade_cloud(const Theme& theme, Scale scale, const ClipRange& range, bool eye_dome) {
-        picture->bind();
+        shown->picture->bind();
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
         shade.use();
         glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, shown->colour());
+        glBindTexture(GL_TEXTURE_2D, shown->points->colour());
         glActiveTexture(GL_TEXTURE1);
-        glBindTexture(GL_TEXTURE_2D, shown->depth());
+        glBindTexture(GL_TEXTURE_2D, shown->points->depth());
         shade.set("cloud_colour", 0);
         shade.set("cloud_depth", 1);
         shade.set("view_top", rgb(theme.view_top));
@@ -149,26 +162,34 @@ Status CloudView::draw(const Scene& scene, int width_px, int height_px, const Th
     if (last_frame_ms > 0.0) parts.detail.measured(last_frame_ms);
     const Slice slice = parts.detail.next(parts.points.total(scene.chunks), changed);
 
-    parts.target_of(slice, changed).bind();
-    parts.points.draw(scene.chunks, scene.camera, viewport, range, scene.settings, theme, scale,
-                      slice);
-    parts.shade_cloud(theme, scale, range, scene.settings.eye_dome);
-    if (scene.lines != nullptr) {
-        parts.lines.draw(*scene.lines, scene.camera, viewport, range, scale, parts.shown->depth());
-    }
+    static const LineBatch kNone;
+    const LineBatch& lines = scene.lines != nullptr ? *scene.lines : kNone;
+    if (!changed && slice.empty() && lines == parts.lines_shown) return {};  // drawn already
+    parts.lines_shown = lines;
+
+    Parts::Layer& layer = parts.layer_of(slice, changed);
+    layer.points->bind();
+    parts.points.draw(scene.chunks, scene.camera, viewport, range, scene.settings, theme,
+                      Scale(scale.factor() * static_cast<float>(layer.part)), slice);
+    const double part = parts.shown->part;
+    const Scale shown_scale(scale.factor() * static_cast<float>(part));
+    parts.shade_cloud(theme, shown_scale, range, scene.settings.eye_dome);
+    parts.lines.draw(lines, scene.camera, {part * viewport.width_px, part * viewport.height_px},
+                     range, shown_scale, parts.shown->points->depth());
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    note_texture_changed(texture());
     return {};
 }
 
 unsigned int CloudView::texture() const {
-    return parts_->picture ? parts_->picture->colour() : 0;
+    return parts_->shown != nullptr ? parts_->shown->picture->colour() : 0;
 }
 bool CloudView::complete() const {
     return parts_->detail.complete();
 }
 std::vector<std::uint8_t> CloudView::read_rgba() const {
-    if (!parts_->picture) return {};
-    auto pixels = parts_->picture->read_rgba();
+    if (parts_->shown == nullptr) return {};
+    auto pixels = parts_->shown->picture->read_rgba();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return pixels;
 }

@@ -52,7 +52,7 @@ class CloudView {
     [[nodiscard]] unsigned int texture() const;
     /// Every point is in the picture: no further frame is needed until something changes.
     [[nodiscard]] bool complete() const;
-    /// RGBA rows from top to bottom.
+    /// RGBA rows from top to bottom; half as wide and high while only a sample is shown.
     [[nodiscard]] std::vector<std::uint8_t> read_rgba() const;
     /// Around all that is visible, in the world; not valid where there is nothing.
     [[nodiscard]] Box bounds() const;

@@ -24,6 +24,7 @@ struct LineStyle {
     float width_px = 1.0F;
     std::array<float, 4> dash_px{};  ///< on, off, on, off; all zero: solid
     HiddenStyle hidden = HiddenStyle::kFaint;
+    friend bool operator==(const LineStyle&, const LineStyle&) = default;
 };
 
 class LineBatch {
@@ -37,9 +38,11 @@ class LineBatch {
         std::size_t first;
         std::size_t count;
         LineStyle style;
+        friend bool operator==(const Polyline&, const Polyline&) = default;
     };
     [[nodiscard]] const std::vector<Eigen::Vector3d>& points() const { return points_; }
     [[nodiscard]] const std::vector<Polyline>& polylines() const { return polylines_; }
+    friend bool operator==(const LineBatch&, const LineBatch&) = default;
 
   private:
     std::vector<Eigen::Vector3d> points_;

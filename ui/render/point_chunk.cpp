@@ -45,7 +45,7 @@ std::vector<PackedPoint> packed_points(const PointChunk& chunk) {
                           : static_cast<std::uint8_t>(std::clamp(cloud.intensity[i], 0.0F, 255.0F));
         p.seen = cloud.seen.empty() ? std::uint16_t{1} : cloud.seen[i];
         p.step = chunk.step;
-        p.residual_m = residuals ? (*chunk.residual_m)[i] : 0.0F;
+        p.residual_m = residuals ? (*chunk.residual_m)[i] : -1.0F;  // unknown
         p.sigma_m = cloud.sigma.empty() ? 0.0F : cloud.sigma[i];
         packed.push_back(p);
     }

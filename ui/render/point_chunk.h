@@ -18,7 +18,7 @@ struct PointChunk {
     std::uint64_t id = 0;
     std::uint64_t generation = 0;
     std::shared_ptr<const Cloud> cloud;
-    std::shared_ptr<const std::vector<float>> residual_m;  ///< one a point; empty: unknown
+    std::shared_ptr<const std::vector<float>> residual_m;  ///< one a point; < 0: unknown
     Pose T_world_cloud = Pose::Identity();                 ///< may change without a new generation
     std::uint16_t step = 0;
     Colour colour{};  ///< of ColourBy::kChunk

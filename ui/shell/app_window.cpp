@@ -4,15 +4,17 @@
 #include <imgui_impl_glfw.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <type_traits>
 #include <utility>
 
 #include "ui/gl/render_target.h"
 #include "ui/shell/glfw_window.h"
-#include "ui/shell/imgui_painter.h"
 #include "ui/shell/imgui_session.h"
+#include "ui/shell/partial_painter.h"
 
 namespace gripscan::ui {
 namespace {
@@ -21,6 +23,9 @@ using Clock = std::chrono::steady_clock;
 
 /// Dear ImGui needs a frame to see an event and another to show what it did.
 constexpr int kFramesPerEvent = 3;
+/// News from elsewhere changes what is shown at once; lists that scroll with it do in the next
+/// frame.
+constexpr int kFramesPerNews = 2;
 /// Longest sleep: a lost wake-up would show after this.
 constexpr double kLongestWait_s = 2.0;
 constexpr double kCursorBlink_s = 0.4;
@@ -40,7 +45,7 @@ double thread_cpu_ms() {
 struct AppWindow::Parts {
     std::unique_ptr<GlfwWindow> window;
     std::unique_ptr<ImGuiSession> session;
-    std::unique_ptr<ImGuiPainter> painter;
+    std::unique_ptr<PartialPainter> painter;
     bool glfw_backend = false;
     WidgetLog log;
     Clock::time_point opened = Clock::now();
@@ -67,26 +72,41 @@ struct AppWindow::Parts {
         return session->set_theme(theme);
     }
 
-    FrameWish draw(const Frame& frame, std::vector<std::filesystem::path> dropped) {
+    /// Dear ImGui reads the keys that are down here: letters by what stands on the keys. GLFW's own
+    /// account stays as it is, because it is told of changes only.
+    void begin_imgui_frame() {
+        auto& down = ImGui::GetIO().KeysDown;
+        std::array<bool, std::extent_v<std::remove_reference_t<decltype(down)>>> by_place{};
+        std::ranges::copy(down, by_place.begin());
+        put_letters_right(GlfwWindow::letters(), down);
+        if (set_input) set_input(log, seconds_since(opened));
+        ImGui::NewFrame();
+        std::ranges::copy(by_place, std::begin(down));
+    }
+
+    /// `exposed`: what the window shows may be lost. A picture that has not changed is not shown
+    /// again.
+    Result<FrameWish> draw(const Frame& frame, std::vector<std::filesystem::path> dropped,
+                           bool exposed) {
         const auto start = Clock::now();
         const double cpu_start_ms = thread_cpu_ms();
         const auto size = window->framebuffer();
         painter->begin_frame(session->fonts_changed());
         ImGui_ImplGlfw_NewFrame();
-        if (set_input) set_input(log, seconds_since(opened));
-        ImGui::NewFrame();
+        begin_imgui_frame();
         Ui ui = session->frame_ui(log, seconds_since(opened));
         ui.large_buttons = large_buttons;
         begin_screen(ui, ui.theme.bg0);
         const auto& released = ImGui::GetIO().MouseReleased;
         const bool clicked = std::ranges::any_of(released, [](bool button) { return button; });
-        FrameWish wish =
-            frame({ui, size.width_px, size.height_px, last, clicked, std::move(dropped)});
+        FrameWish wish = frame({ui, size.width_px, size.height_px, last, clicked,
+                                window->take_close_request(), std::move(dropped)});
         end_screen();
         ImGui::Render();
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glViewport(0, 0, size.width_px, size.height_px);
-        painter->paint();
+        const auto changed = painter->paint(size.width_px, size.height_px);
+        if (!changed) return forward_error(changed.error());
+        const bool shows = *changed || exposed || capture;
+        if (shows) painter->show();
         if (auto wanted = std::exchange(capture, nullptr)) {
             wanted(size.width_px, size.height_px,
                    read_framebuffer_rgba(size.width_px, size.height_px));
@@ -94,7 +114,7 @@ struct AppWindow::Parts {
         last.own_ms = 1e3 * seconds_since(start);
         last.cpu_ms = thread_cpu_ms() - cpu_start_ms;
         const auto swap_start = Clock::now();
-        window->swap();
+        if (shows) window->swap();
         last.swap_ms = 1e3 * seconds_since(swap_start);
         ++frames;
         if (ImGui::GetIO().WantTextInput) {
@@ -122,7 +142,7 @@ Result<std::unique_ptr<AppWindow>> AppWindow::make(const WindowSettings& setting
     parts.glfw_backend = ImGui_ImplGlfw_InitForOpenGL(parts.window->handle(), true);
     auto painter = ImGuiPainter::make();
     if (!painter) return forward_error(painter.error());
-    parts.painter = *std::move(painter);
+    parts.painter = std::make_unique<PartialPainter>(*std::move(painter));
     return app;
 }
 
@@ -131,17 +151,20 @@ Status AppWindow::run(const Frame& frame, std::size_t most_frames) {
     const std::size_t first = parts.frames;
     int owed = kFramesPerEvent;  // frames that are drawn without waiting
     auto due = Clock::time_point::max();
-    while (!parts.window->close_requested()) {
+    for (;;) {
         const bool at_once = owed > 0 || most_frames > 0;
         const double until_due =
             due == Clock::time_point::max() ? kLongestWait_s : -seconds_since(due);
         auto news = parts.window->wait(at_once ? 0.0 : std::clamp(until_due, 0.0, kLongestWait_s));
+        if (news.woken) owed = std::max(owed, kFramesPerNews);
         if (news.anything) owed = kFramesPerEvent;
         const bool timer = Clock::now() >= due;
         if (owed == 0 && !timer && most_frames == 0) continue;
 
         if (auto applied = parts.apply_changes(); !applied) return applied;
-        const FrameWish wish = parts.draw(frame, std::move(news.dropped));
+        const auto drawn = parts.draw(frame, std::move(news.dropped), news.exposed);
+        if (!drawn) return forward_error(drawn.error());
+        const FrameWish& wish = *drawn;
         owed = std::max(0, owed - 1);
         due = std::isinf(wish.redraw_after_s)
                   ? Clock::time_point::max()

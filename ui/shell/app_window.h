@@ -38,6 +38,7 @@ struct FrameInput {
     int height_px;
     FrameTimes last;                             ///< of the frame before
     bool clicked;                                ///< a mouse button was let go
+    bool close_requested;                        ///< the user closes the window: FrameWish says
     std::vector<std::filesystem::path> dropped;  ///< files dropped on the window since then
 };
 
@@ -59,8 +60,8 @@ class AppWindow {
     AppWindow(const AppWindow&) = delete;
     AppWindow& operator=(const AppWindow&) = delete;
 
-    /// Draws frames until the user closes the window, a frame asks for it, or `most_frames` were
-    /// drawn (0: no limit). In that last case frames follow each other without waiting.
+    /// Draws frames until one of them asks for the end, or `most_frames` were drawn (0: no limit).
+    /// In that last case frames follow each other without waiting.
     [[nodiscard]] Status run(const Frame& frame, std::size_t most_frames = 0);
 
     /// From any thread: something new is to be shown.

@@ -28,6 +28,12 @@ void note(GLFWwindow* window, Args...) {
     news_of(window).anything = true;
 }
 
+template <typename... Args>
+void note_exposed(GLFWwindow* window, Args...) {
+    news_of(window).anything = true;
+    news_of(window).exposed = true;
+}
+
 void note_drop(GLFWwindow* window, int count, const char** paths) {
     GlfwWindow::News& news = news_of(window);
     news.anything = true;
@@ -75,9 +81,9 @@ void GlfwWindow::listen() {
     glfwSetKeyCallback(window_, note<int, int, int, int>);
     glfwSetCharCallback(window_, note<unsigned int>);
     glfwSetWindowFocusCallback(window_, note<int>);
-    glfwSetWindowRefreshCallback(window_, note<>);
+    glfwSetWindowRefreshCallback(window_, note_exposed<>);
     glfwSetWindowCloseCallback(window_, note<>);
-    glfwSetFramebufferSizeCallback(window_, note<int, int>);
+    glfwSetFramebufferSizeCallback(window_, note_exposed<int, int>);
     glfwSetWindowContentScaleCallback(window_, note<float, float>);
     glfwSetDropCallback(window_, note_drop);
 }
@@ -94,7 +100,7 @@ GlfwWindow::News GlfwWindow::wait(double seconds) {
     } else {
         glfwPollEvents();
     }
-    if (woken.exchange(false)) news_.anything = true;
+    news_.woken = woken.exchange(false);
     return std::exchange(news_, {});
 }
 
@@ -116,8 +122,17 @@ float GlfwWindow::content_scale() const {
     return x;
 }
 
-bool GlfwWindow::close_requested() const {
-    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+bool GlfwWindow::take_close_request() {
+    const bool wanted = glfwWindowShouldClose(window_) == GLFW_TRUE;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return wanted;
+}
+
+LetterKeys GlfwWindow::letters() {
+    return letter_keys([](char place) {
+        const char* name = glfwGetKeyName(GLFW_KEY_A + (place - 'A'), 0);
+        return std::string(name != nullptr ? name : "");
+    });
 }
 
 void GlfwWindow::swap() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "ui/shell/key_layout.h"
 
 struct GLFWwindow;
 
@@ -22,7 +23,9 @@ class GlfwWindow {
 
     /// What came in since it was last asked.
     struct News {
-        bool anything = false;  ///< input, a new size, damage, a wake-up from another thread
+        bool anything = false;  ///< input, a new size, damage
+        bool woken = false;     ///< by another thread
+        bool exposed = false;   ///< what the window showed may be lost, or does not fit any more
         std::vector<std::filesystem::path> dropped;
     };
     /// Waits for events, at most that long (0: only looks).
@@ -37,8 +40,11 @@ class GlfwWindow {
     [[nodiscard]] Size framebuffer() const;
     /// Of the monitor the window is on.
     [[nodiscard]] float content_scale() const;
-    [[nodiscard]] bool close_requested() const;
+    /// Whether the user wants the window closed; asked once, forgotten.
+    [[nodiscard]] bool take_close_request();
     void swap();
+    /// Of the keyboard's layout as it is now.
+    [[nodiscard]] static LetterKeys letters();
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
 
   private:

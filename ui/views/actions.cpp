@@ -92,6 +92,34 @@ Why without_template(const Snapshot& s) {
     return std::nullopt;
 }
 
+Why without_library(const Snapshot& s) {
+    if (auto why = without_session(s)) return why;
+    if (s.library.empty()) return "the library is empty: add a template first";
+    if (s.job) return "something else is going on: " + s.job->name;
+    return std::nullopt;
+}
+Why refuse_recognise(const Snapshot& s) {
+    if (auto why = without_library(s)) return why;
+    if (s.session->recorded) return "a recording has no camera; recognise one of its captures";
+    return std::nullopt;
+}
+/// The capture at the end of the selected step; nothing: there is none.
+std::optional<int> selected_capture(const Snapshot& s) {
+    if (s.procedure == nullptr) return std::nullopt;
+    const auto table = table_of(*s.procedure);
+    if (s.selected_row < table.size()) return table[s.selected_row].row.to;
+    const CaptureRecord* last = s.procedure->data.last_used();
+    return last != nullptr ? std::optional(last->index) : std::nullopt;
+}
+Request recognise_capture(const Snapshot& s) {
+    return request::Recognise{selected_capture(s)};
+}
+Why refuse_recognise_capture(const Snapshot& s) {
+    if (auto why = without_library(s)) return why;
+    if (!selected_capture(s)) return "there is no capture yet";
+    return std::nullopt;
+}
+
 using enum ActionGroup;
 
 const std::array kActions{
@@ -142,10 +170,21 @@ const std::array kActions{
            kResults, show<Dialog::kExport>, without_template},
     Action{"window.report", "Report", "Ctrl+R", "One page for the hand-over", kResults,
            plain<request::SaveReport>, without_steps},
+    Action{"recognise.now", "Capture and recognise", "Ctrl+Enter",
+           "Take one view here and now and find the library's templates in it", kResults,
+           plain<request::Recognise>, refuse_recognise},
+    Action{"recognise.capture", "This capture", "",
+           "Find the library's templates in the capture that is selected in Table 1", kResults,
+           recognise_capture, refuse_recognise_capture},
+    Action{"library.add", "Add the template", "",
+           "Keep the template of this turn in the library, with what it rests on", kResults,
+           plain<request::LibraryAdd>, without_template},
     Action{"page.procedure", "Procedure", "F9", "Turn, compare, decide", kWindow,
            go_to<Page::kProcedure>, without_session},
     Action{"page.template", "Template", "F10", "Crop, filter and export the point cloud", kWindow,
            go_to<Page::kTemplate>, without_session},
+    Action{"page.recognise", "Recognise", "Ctrl+F", "Find templates of the library in one view",
+           kWindow, go_to<Page::kRecognise>, without_session},
     Action{"page.cell", "Cell", "F11", "Robot, camera and the cell check", kWindow,
            go_to<Page::kCell>, without_session},
     Action{"page.start", "Start page", "Ctrl+O", "Other sessions", kWindow, go_to<Page::kStart>,
@@ -215,6 +254,9 @@ const Action* action_of(const Command& command) {
 }
 
 const Action* next_action(const Snapshot& s) {
+    if (s.page == Page::kRecognise && s.session) {
+        return find(s.session->recorded ? "recognise.capture" : "recognise.now");
+    }
     if (!s.session || s.session->recorded || s.procedure == nullptr) return nullptr;
     if (std::holds_alternative<phase::Finished>(s.procedure->phase)) {
         return s.solved ? find("window.export") : nullptr;

@@ -13,6 +13,7 @@ std::optional<double> value_of(const Colouring& colouring, const SceneCloud& clo
     switch (colouring.by) {
         case ColourBy::kResidual:
             if (!cloud.residual_m || i >= cloud.residual_m->size()) return std::nullopt;
+            if ((*cloud.residual_m)[i] < 0.0F) return std::nullopt;
             return (*cloud.residual_m)[i] / colouring.per_unit;
         case ColourBy::kSigma:
             if (points.sigma.empty()) return std::nullopt;
@@ -62,6 +63,11 @@ bool any_visible(const SceneParts& parts, Has has) {
                        [&](const SceneCloud& cloud) { return cloud.visible && has(cloud); });
 }
 
+std::size_t visible_clouds(const SceneParts& parts) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(parts.clouds, [](const SceneCloud& cloud) { return cloud.visible; }));
+}
+
 }  // namespace
 
 const std::vector<Colouring>& colourings() {
@@ -94,9 +100,9 @@ std::string why_no_colouring(ColourBy by, const SceneParts& parts) {
     if (parts.kind == SceneKind::kEmpty) return "there is no cloud yet";
     switch (by) {
         case ColourBy::kResidual:
-            return any_visible(parts, [](const auto& c) { return c.residual_m != nullptr; })
-                       ? ""
-                       : "known once two views overlap and were compared";
+            if (parts.kind == SceneKind::kTemplate) return "in the template the views are merged";
+            if (parts.kind == SceneKind::kFound) return "this is a single view";
+            return visible_clouds(parts) > 1 ? "" : "there is no other view to compare with yet";
         case ColourBy::kSeen:
             return any_visible(parts, [](const auto& c) { return !c.cloud->seen.empty(); })
                        ? ""
@@ -114,6 +120,7 @@ std::string why_no_colouring(ColourBy by, const SceneParts& parts) {
                        ? ""
                        : "these clouds came without an image";
         case ColourBy::kStep:
+            if (parts.kind == SceneKind::kFound) return "this is a single view";
             return parts.kind == SceneKind::kTemplate ? "in the template the steps are merged" : "";
         case ColourBy::kDepth:
         case ColourBy::kChunk:
@@ -125,6 +132,7 @@ std::string why_no_colouring(ColourBy by, const SceneParts& parts) {
 ColourBy usual_colouring(const SceneParts& parts) {
     switch (parts.kind) {
         case SceneKind::kPair:
+        case SceneKind::kFound:
             return ColourBy::kChunk;
         case SceneKind::kTemplate:
             return why_no_colouring(ColourBy::kSeen, parts).empty() ? ColourBy::kSeen

@@ -6,14 +6,18 @@
 namespace gripscan::ui {
 namespace {
 
-constexpr std::array<FaultName, 18> kNames{
+constexpr std::array<FaultName, 22> kNames{
     {{"ratio", "Joint 6 turns 1.05 times what its encoder says"},
      {"sign", "Joint 6 turns the other way"},
      {"backlash", "Joint 6 lags by 0.8 deg once its weight passes the top"},
      {"loose", "The gripper tilts on the flange by about 3 deg, another way at every angle"},
      {"slip", "The gripper has moved out of the flange by 2.5 mm"},
+     {"object_slip", "The object has slid between the fingers by 2 mm"},
+     {"object_twist", "The object has turned between the fingers by 3 deg"},
      {"bump", "The camera has shifted by 4 mm"},
      {"intruder", "A rod lies in the registration area"},
+     {"tool", "A screwdriver is left in the registration area"},
+     {"shift", "Table, wall and fixtures stand elsewhere by 2 mm"},
      {"defocus", "The lens blurs by 4 px"},
      {"glare", "A saturated spot on the gripper, at one angle and in the first attempt alone"},
      {"delay", "An answer of the controller comes 3 s later", true},

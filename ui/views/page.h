@@ -3,7 +3,7 @@
 
 namespace gripscan::ui {
 
-enum class Page { kStart, kProcedure, kTemplate, kCell };
+enum class Page { kStart, kProcedure, kTemplate, kRecognise, kCell };
 
 /// What stands in front of the page and takes the input.
 enum class Dialog {

@@ -84,6 +84,16 @@ struct SetPlan {  ///< before the first view: limits, step and speed
 struct SetFilter {  ///< of the template
     TemplateFilter filter;
 };
+struct Recognise {  ///< what is in the library, in a view that is taken now or in a capture
+    std::optional<int> capture;
+};
+struct LibraryAdd {};  ///< the template that is open
+struct LibraryRemove {
+    std::string name;
+};
+struct WantResiduals {  ///< of every capture's points, as long as they are shown
+    bool on = false;
+};
 struct CopyText {
     std::string text;
     std::string what;  ///< for the toast: "Table 1"
@@ -122,7 +132,8 @@ using Request =
     std::variant<request::Give, request::HoldToMove, request::GoTo, request::Open, request::Resume,
                  request::Begin, request::Tour, request::CloseSession, request::Forget,
                  request::Show, request::SelectStep, request::Export, request::SetPlan,
-                 request::SetFilter, request::CopyText, request::SaveTable, request::SaveReport,
+                 request::SetFilter, request::Recognise, request::LibraryAdd,
+                 request::LibraryRemove, request::WantResiduals, request::CopyText, request::SaveTable, request::SaveReport,
                  request::Screenshot, request::SetTheme, request::SetScale,
                  request::SetLargeButtons, request::SetKey, request::SetNavigation,
                  request::ResetLayout, request::LiveView, request::CancelJob, request::CloseToast,

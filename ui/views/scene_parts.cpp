@@ -6,12 +6,14 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "ui/views/recognition_text.h"
 #include "ui/views/scene_words.h"
 
 namespace gripscan::ui {
 namespace {
 
 constexpr std::uint64_t kTemplateId = std::uint64_t{1} << 40U;
+constexpr std::uint64_t kFoundId = std::uint64_t{1} << 41U;
 
 /// Check too: such a view is merged.
 bool places_the_view(const TurnStep& step) {
@@ -59,7 +61,7 @@ bool pair_wanted(const Snapshot& snapshot, const SceneWish& wish, const JudgedSt
 SceneCloud cloud_of(const ShownCapture& capture, int step) {
     SceneCloud cloud;
     cloud.id = static_cast<std::uint64_t>(capture.index) + 1;
-    cloud.generation = capture.generation;
+    cloud.generation = (capture.residual_generation << 32U) + capture.generation;
     cloud.cloud = capture.cloud;
     cloud.residual_m = capture.residual_m;
     cloud.step = step;
@@ -124,6 +126,30 @@ void make_template(const Snapshot& snapshot, SceneParts& parts) {
     parts.clouds.push_back(std::move(merged));
 }
 
+/// A recognised view: the templates' points in their colours, the rest in grey.
+SceneParts found_scene(const Snapshot& snapshot) {
+    SceneParts parts;
+    if (!snapshot.recognition) return parts;
+    const ShownRecognition& shown = *snapshot.recognition;
+    parts.kind = SceneKind::kFound;
+    const auto add = [&](const std::shared_ptr<const Cloud>& cloud, CloudRole role) {
+        if (!cloud || cloud->empty()) return;
+        SceneCloud part;
+        part.id = kFoundId + parts.clouds.size();
+        part.generation = shown.generation;
+        part.cloud = cloud;
+        part.role = role;
+        parts.clouds.push_back(std::move(part));
+    };
+    add(shown.rest, CloudRole::kScene);
+    for (std::size_t i = 0; i < shown.found.size(); ++i) {
+        const std::size_t before = parts.clouds.size();
+        add(shown.found[i].matched, CloudRole::kFound);
+        if (parts.clouds.size() > before) parts.clouds.back().colour = colour_of_found(shown, i);
+    }
+    return parts;
+}
+
 double angle_of(const TurnStep& step) {
     return step.robot_rad.value_or(step.commanded_rad.value_or(step.icp_rad.value_or(0.0)));
 }
@@ -174,11 +200,13 @@ std::vector<std::optional<Pose>> capture_poses(const Snapshot& snapshot) {
 std::string why_no_pair(const Snapshot& snapshot) {
     if (snapshot.procedure == nullptr) return "no session is open";
     if (snapshot.page == Page::kTemplate) return "the template is shown";
+    if (snapshot.page == Page::kRecognise) return "a recognised view is shown";
     const auto table = table_of(*snapshot.procedure);
     return why_no_pair(snapshot, selected_step(snapshot, table));
 }
 
 SceneParts scene_parts(const Snapshot& snapshot, const SceneWish& wish) {
+    if (snapshot.page == Page::kRecognise) return found_scene(snapshot);
     SceneParts parts;
     if (snapshot.procedure == nullptr) return parts;
     const auto table = table_of(*snapshot.procedure);

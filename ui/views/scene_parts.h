@@ -24,6 +24,8 @@ enum class CloudRole {
     kTarget,    ///< capture at the beginning of a step
     kSource,    ///< and at its end
     kTemplate,  ///< all captures merged
+    kScene,     ///< a recognised view, what belongs to no template
+    kFound,     ///< and what belongs to one
 };
 
 struct SceneCloud {
@@ -34,10 +36,11 @@ struct SceneCloud {
     Pose T_first_cloud = Pose::Identity();
     int step = 0;  ///< place in the turn, from 0; of the capture
     CloudRole role = CloudRole::kView;
-    bool visible = true;  ///< hidden ones stay in the memory of the graphics card
+    Colour Theme::*colour = nullptr;  ///< of kFound
+    bool visible = true;              ///< hidden ones stay in the memory of the graphics card
 };
 
-enum class SceneKind { kEmpty, kGrowing, kPair, kTemplate };
+enum class SceneKind { kEmpty, kGrowing, kPair, kTemplate, kFound };
 
 /// Angles about the axis from where the first capture was taken, as the arc shows them.
 struct SceneTurn {

@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "ui/theme/shown_number.h"
+#include "ui/views/recognition_text.h"
 
 namespace gripscan::ui {
 namespace {
@@ -18,6 +19,9 @@ bool linked(const ProcedureState& state) {
 EmptyText empty_scene_text(const Snapshot& snapshot) {
     if (!snapshot.session || snapshot.procedure == nullptr) {
         return {"No session is open", "Begin or open one on the start page."};
+    }
+    if (snapshot.page == Page::kRecognise) {
+        return {"No view yet", "Capture one, or recognise a capture of the session."};
     }
     const ProcedureState& state = *snapshot.procedure;
     if (!state.data.used().empty()) {
@@ -46,6 +50,9 @@ std::string scene_caption(const Snapshot& snapshot, const SceneParts& parts) {
         case SceneKind::kGrowing:
             caption += fmt::format(", step {} of {}, {}°", parts.steps_done, parts.steps_total,
                                    shown_number(deg_from_rad(parts.turn.turned_rad), 1));
+            break;
+        case SceneKind::kFound:
+            caption += ", " + view_words(*snapshot.recognition);
             break;
         case SceneKind::kEmpty:
             return caption;

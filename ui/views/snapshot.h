@@ -20,6 +20,7 @@
 #include "core/registration/template_filter.h"
 #include "ui/theme/theme.h"
 #include "ui/views/page.h"
+#include "ui/views/recognition.h"
 #include "ui/views/request.h"
 
 namespace gripscan::ui {
@@ -51,8 +52,10 @@ struct ShownCapture {
     std::uint64_t generation = 0;        ///< rises when the capture was taken again
     std::shared_ptr<const Cloud> cloud;  ///< camera frame, cropped to the registration area
     std::shared_ptr<const StereoPicture> picture;  ///< null: it came as a cloud
-    /// Distance of every point to the surface of all others, m; null: not known yet.
+    /// Distance of every point to the views beside it, m; < 0: none of them saw the place. Null: not
+    /// known yet.
     std::shared_ptr<const std::vector<float>> residual_m;
+    std::uint64_t residual_generation = 0;  ///< changes with them
 };
 
 /// The work that is going on, with its progress.
@@ -165,6 +168,7 @@ struct Snapshot {
     std::optional<RobotReading> reading;  ///< the latest sign of life, while moving too
     std::optional<ShownJob> job;
     std::optional<double> seconds_left;  ///< of the turn, from real step times
+    bool residuals_wanted = false;       ///< of the captures: they are being computed, or are here
     std::size_t selected_row = 0;        ///< of Table 1
     bool follows_last = true;            ///< the selection is the last row
 
@@ -173,7 +177,9 @@ struct Snapshot {
     std::optional<ShownError> error;
     TemplateFilter filter;  ///< of the template page, as the user wants it
     std::optional<ShownTemplate> shown_template;
-    std::vector<KeyBinding> keys;  ///< all of them, with the user's changes
+    std::shared_ptr<const ShownRecognition> recognition;  ///< of the latest view; null: none yet
+    std::vector<LibraryEntry> library;                    ///< in order of their names
+    std::vector<KeyBinding> keys;                         ///< all of them, with the user's changes
     std::string last_export;       ///< "read back equal: 369 090 points, …"; empty: none yet
     std::string version;
 };

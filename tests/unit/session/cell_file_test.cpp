@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/session/alignment_file.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/temporary_folder.h"
 
@@ -116,6 +117,23 @@ TEST(CellFile, SaysWhatIsWrongAndWhere) {
     EXPECT_THAT(problem("monitor_port: 18741", "monitor_port: 18740"), HasSubstr("another port"));
     EXPECT_THAT(problem("settle_ms: 500", "settle_ms: -1"), HasSubstr("settle_ms"));
     EXPECT_THAT(problem("gripscan-cell/1", "gripscan-cell/9"), HasSubstr("gripscan-cell/9"));
+}
+
+TEST(CellFile, TakesTheAlignmentFromItsFile) {
+    const test::TemporaryFolder folder;
+    AlignmentFile alignment;
+    alignment.T_robot_camera = Pose(Eigen::Translation3d(0.5, 0.0, 0.25));
+    ASSERT_TRUE(save_alignment(folder / "alignment.yaml", alignment));
+    test::write_text(folder / "cell.yaml", "format: gripscan-cell/1\nalignment: alignment.yaml\n");
+    const auto cell = load_cell_file(folder / "cell.yaml");
+    ASSERT_TRUE(cell) << cell.error().message;
+    ASSERT_TRUE(cell->T_robot_camera);
+    EXPECT_EQ(cell->T_robot_camera->translation().x(), 0.5);
+    test::write_text(folder / "cell.yaml", "format: gripscan-cell/1\nalignment: nothing.yaml\n");
+    const auto absent = load_cell_file(folder / "cell.yaml");
+    ASSERT_FALSE(absent);
+    EXPECT_THAT(absent.error().message, testing::HasSubstr("cell.yaml:2"));
+    EXPECT_THAT(absent.error().message, testing::HasSubstr("nothing.yaml"));
 }
 
 }  // namespace

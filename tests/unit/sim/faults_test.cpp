@@ -19,14 +19,15 @@ double at(double turned_deg) {
 
 TEST(FaultPlan, HasADefaultForEveryNameOfTheContract) {
     for (const char* name :
-         {"delay", "drop", "garble", "split", "halfopen", "restart", "estop", "servo_off", "limit",
-          "ratio", "backlash", "sign", "loose", "slip", "glare", "defocus", "bump", "intruder"}) {
+         {"delay",     "drop",    "garble", "split",    "halfopen", "restart", "estop",
+          "servo_off", "limit",   "ratio",  "backlash", "sign",     "loose",   "slip",
+          "glare",     "defocus", "bump",   "intruder", "tool",     "shift"}) {
         const auto fault = parse_fault(name);
         ASSERT_TRUE(fault) << fault.error().message;
         EXPECT_EQ(info_of(fault->kind).name, name);
         EXPECT_EQ(*fault, info_of(fault->kind).preset);
     }
-    EXPECT_EQ(fault_table().size(), 18U);
+    EXPECT_EQ(fault_table().size(), 22U);
     for (std::size_t i = 0; i < fault_table().size(); ++i) {
         EXPECT_EQ(static_cast<std::size_t>(fault_table()[i].preset.kind), i);
     }
@@ -85,11 +86,14 @@ TEST(StepFaults, TurnTheJointOtherwiseThanItsEncoderSays) {
 
 TEST(StepFaults, BeginWithTheirStepAndStay) {
     for (const double turned_deg : {0.0, 40.0, 42.0}) {
-        const StepFaults all = faults({"slip", "loose", "bump", "intruder", "defocus"});
+        const StepFaults all =
+            faults({"slip", "loose", "bump", "intruder", "defocus", "tool", "shift"});
         EXPECT_EQ(all.T_tool_part(at(turned_deg)).matrix(), Pose::Identity().matrix());
         EXPECT_EQ(all.T_camera_moved(at(turned_deg)).matrix(), Pose::Identity().matrix());
         EXPECT_EQ(all.intruder_m(at(turned_deg)), 0.0);
         EXPECT_EQ(all.defocus_px(at(turned_deg)), 0.0);
+        EXPECT_EQ(all.tool_m(at(turned_deg)), 0.0);
+        EXPECT_EQ(all.surroundings_shift_m(at(turned_deg)).norm(), 0.0);
     }
     for (const double turned_deg : {45.0, 50.0, 360.0}) {
         EXPECT_NEAR(faults({"slip"}).T_tool_part(at(turned_deg)).translation().z(), 0.0025, 1e-12);
@@ -99,6 +103,8 @@ TEST(StepFaults, BeginWithTheirStepAndStay) {
         EXPECT_EQ(bumped.matrix(), faults({"bump"}).T_camera_moved(at(50.0)).matrix());
         EXPECT_EQ(faults({"intruder"}).intruder_m(at(turned_deg)), 0.040);
         EXPECT_EQ(faults({"defocus"}).defocus_px(at(turned_deg)), 4.0);
+        EXPECT_EQ(faults({"tool"}).tool_m(at(turned_deg)), 0.150);
+        EXPECT_NEAR(faults({"shift"}).surroundings_shift_m(at(turned_deg)).norm(), 0.002, 1e-12);
     }
 }
 

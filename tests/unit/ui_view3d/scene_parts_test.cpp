@@ -163,7 +163,9 @@ TEST(Colourings, ThatAreNotToBeHadSayWhy) {
     EXPECT_EQ(why_no_colouring(ColourBy::kStep, parts), "");
     EXPECT_EQ(why_no_colouring(ColourBy::kImage, parts), "");
     EXPECT_NE(why_no_colouring(ColourBy::kSeen, parts), "");
-    EXPECT_NE(why_no_colouring(ColourBy::kResidual, parts), "");
+    EXPECT_EQ(why_no_colouring(ColourBy::kResidual, parts), "");
+    const auto alone = growing_scene(0, 2000);
+    EXPECT_NE(why_no_colouring(ColourBy::kResidual, scene_parts(alone.snapshot, {})), "");
     const auto merged = template_scene(2000);
     const SceneParts whole = scene_parts(merged.snapshot, {});
     EXPECT_EQ(why_no_colouring(ColourBy::kSeen, whole), "");

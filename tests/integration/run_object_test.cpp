@@ -1,0 +1,103 @@
+// An object in the simulated gripper, from the gripper's own registration to its template.
+#include <gmock/gmock.h>
+
+#include "tests/integration/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace gripscan::test {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// The gripper's registration, made once; steps of 20° keep it short.
+const fs::path& gripper_session() {
+    static const TemporaryFolder folder;
+    static const fs::path session = [] {
+        fs::path made = folder / "gripper";
+        const auto result =
+            run_program({"run", "gripper", "--step-deg", "20", "--out", made.string()});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return made;
+    }();
+    return session;
+}
+
+Arguments turn(const fs::path& session, const Arguments& more = {}) {
+    Arguments arguments{"run",        "object",
+                        "--object",   "casting",
+                        "--step-deg", "20",
+                        "--gripper",  gripper_session().string(),
+                        "--out",      session.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+/// Killed in the middle, resumed, and computed again: the same to the last byte.
+TEST(RunObject, RegistersAnObjectAndAReplayFindsTheSame) {
+    const TemporaryFolder folder;
+    const fs::path session = folder / "casting";
+    const auto killed =
+        kill_program(turn(session), [&] { return fs::exists(session / "frames/003_left.png"); });
+    ASSERT_EQ(killed.status, 128 + 9);
+    const auto result =
+        run_program({"run", "object", "--resume", "--out", session.string(), "--json"});
+    ASSERT_EQ(result.status, 0) << result.err << result.out;
+    const auto json = result.json();
+    ASSERT_EQ(json["steps"].size(), 18u);
+    for (const auto& step : json["steps"]) {
+        EXPECT_EQ(step["verdict"], "accept") << step["sentence"];
+        EXPECT_LT(step["grip_slip_mm"].get<double>(), 0.5) << step["index"];
+        EXPECT_LT(step["grip_slip_deg"].get<double>(), 1.0) << step["index"];
+    }
+    EXPECT_THAT(read_text(session / "session.yaml"), HasSubstr("kind: object"));
+    const auto sidecar =
+        nlohmann::json::parse(read_text(session / "results/template.json"), nullptr, false);
+    EXPECT_EQ(sidecar["kind"], "object");
+    EXPECT_THAT(sidecar["gripper"]["check"].get<std::string>(), HasSubstr("fnv1a64:"));
+    // Both turns begin at the same joint angle: the two frames are the same.
+    const auto T = sidecar["gripper"]["T_gripper_object"];
+    ASSERT_EQ(T.size(), 16u);
+    for (std::size_t i = 0; i < 16; ++i) {
+        const bool diagonal = i % 5 == 0;
+        EXPECT_NEAR(T[i].get<double>(), diagonal ? 1.0 : 0.0, i % 4 == 3 ? 2e-3 : 3e-3) << i;
+    }
+    ASSERT_EQ(
+        run_program({"replay", session.string(), "--out", (folder / "again").string()}).status, 0);
+    EXPECT_EQ(content_of(folder / "again"), content_of(session / "results"));
+}
+
+TEST(RunObject, AnObjectThatSlipsStopsTheRun) {
+    const TemporaryFolder folder;
+    for (const char* fault : {"object_slip@2=1", "object_twist@2=1"}) {
+        const fs::path session = folder / std::string(fault).substr(0, 10);
+        const auto result = run_program(turn(session, {"--fault", fault, "--json"}));
+        EXPECT_EQ(result.status, 1) << fault << result.err;
+        EXPECT_THAT(result.err, HasSubstr("1 -> 2: cause=slip")) << fault;
+        EXPECT_THAT(result.err, HasSubstr("moved in the gripper")) << fault;
+        const auto json = result.json();
+        ASSERT_FALSE(json.is_null());
+        EXPECT_TRUE(json["poses"].back().is_null()) << "what moved is not merged";
+    }
+}
+
+TEST(RunObject, SaysWhatIsMissing) {
+    const TemporaryFolder folder;
+    const auto out = (folder / "s").string();
+    const auto bare = run_program({"run", "object", "--object", "jug", "--out", out});
+    EXPECT_EQ(bare.status, 2);
+    EXPECT_THAT(bare.err, HasSubstr("--gripper is missing"));
+    const auto empty =
+        run_program({"run", "object", "--gripper", folder.path().string(), "--out", out});
+    EXPECT_EQ(empty.status, 2);
+    EXPECT_THAT(empty.err, HasSubstr("--object is missing"));
+    write_text(folder / "bare.xyz", "0 0 1\n0 0.1 1\n0.1 0 1\n");
+    const auto unknown = run_program({"run", "object", "--object", "jug", "--gripper",
+                                      (folder / "bare.xyz").string(), "--out", out});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("axis"));
+    EXPECT_FALSE(fs::exists(folder / "s"));
+}
+
+}  // namespace
+}  // namespace gripscan::test

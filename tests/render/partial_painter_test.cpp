@@ -1,0 +1,104 @@
+// What is drawn again bit by bit is the same picture as one drawn at once.
+#include "ui/shell/partial_painter.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/seeded_random.h"
+#include "tests/support/egl_context.h"
+#include "tests/support/ui_driver.h"
+#include "ui/widgets/draw.h"
+
+namespace gripscan::test {
+namespace {
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 400;
+
+struct Patch {
+    ui::Rect rect;
+    ImU32 colour;
+    bool words;
+};
+
+/// Rectangles and words, a few of which change from frame to frame.
+void draw(const ui::Ui& ui, const std::vector<Patch>& patches) {
+    for (const Patch& p : patches) {
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec2 from(static_cast<float>(p.rect.x) + 0.3F, static_cast<float>(p.rect.y) + 0.7F);
+        list.PushClipRect({from.x + 1.6F, from.y}, {from.x + static_cast<float>(p.rect.width),
+                                                    from.y + static_cast<float>(p.rect.height)});
+        list.AddRectFilled(from, {from.x + 200.0F, from.y + 90.0F}, p.colour, 7.0F);
+        if (p.words) {
+            ui::draw_text(ui, from.x + 5.0F, from.y + 12.0F, ui::FontRole::kText, ui.theme.text,
+                          "0.021° Grüße");
+        }
+        list.PopClipRect();
+    }
+}
+
+Patch random_patch(SeededRandom& random) {
+    const auto below = [&](int n) {
+        return static_cast<int>(random.next() % static_cast<unsigned>(n));
+    };
+    return {{below(kWidth), below(kHeight), 20 + below(200), 10 + below(90)},
+            IM_COL32(below(256), below(256), below(256), 60 + below(196)),
+            below(2) == 0};
+}
+
+TEST(PartialPainter, DrawsWhatDrawingAllWouldShow) {
+    const auto context = EglContext::make();
+    if (!context) GTEST_SKIP() << "no OpenGL without a screen here";
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        SeededRandom random(seed);
+        std::vector<Patch> patches;
+        for (int i = 0; i < 12; ++i) patches.push_back(random_patch(random));
+        UiDriver driver(
+            kWidth, kHeight, [&](const ui::Ui& ui) { draw(ui, patches); }, ui::Scale(),
+            ui::ThemeChoice::kDark);
+        auto painter = ui::ImGuiPainter::make();
+        ASSERT_TRUE(painter);
+        ui::ImGuiPainter& whole = **painter;
+        auto bit_by_bit = ui::RenderTarget::make(kWidth, kHeight, ui::DepthTexture::kNone);
+        auto at_once = ui::RenderTarget::make(kWidth, kHeight, ui::DepthTexture::kNone);
+        ASSERT_TRUE(bit_by_bit && at_once);
+        ui::Damage damage([](ImTextureID) { return std::uint64_t{0}; });
+        std::size_t drawn_px = 0;
+        constexpr int kFrames = 40;
+        for (int frame = 0; frame < kFrames; ++frame) {
+            whole.begin_frame(driver.session().fonts_changed());
+            driver.frame();
+            at_once->bind();
+            whole.paint();
+            bit_by_bit->bind();
+            for (const ui::Rect& rect : damage.next(*ImGui::GetDrawData())) {
+                const ui::ClippedFrame clipped(*ImGui::GetDrawData(), rect);
+                whole.paint();
+                drawn_px +=
+                    static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
+            }
+            ASSERT_EQ(bit_by_bit->read_rgba(), at_once->read_rgba()) << "frame " << frame;
+            patches[random.next() % patches.size()] = random_patch(random);
+        }
+        EXPECT_LT(drawn_px, static_cast<std::size_t>(kFrames) * kWidth * kHeight * 6 / 10);
+    }
+}
+
+TEST(Damage, IsNothingWhereNothingChangedAndAllAfterItWasForgotten) {
+    UiDriver driver(kWidth, kHeight, [](const ui::Ui& ui) {
+        ui::fill({10, 10, 40, 40}, ui.theme.accent);
+    });
+    std::uint64_t version = 0;
+    ui::Damage damage([&](ImTextureID) { return version; });
+    const ui::Rect all{0, 0, kWidth, kHeight};
+    driver.frame();
+    EXPECT_EQ(damage.next(*ImGui::GetDrawData()), std::vector{all});
+    driver.frame();
+    EXPECT_TRUE(damage.next(*ImGui::GetDrawData()).empty());
+    version = 1;  // another picture in the same texture
+    EXPECT_FALSE(damage.next(*ImGui::GetDrawData()).empty());
+    damage.forget();
+    EXPECT_EQ(damage.next(*ImGui::GetDrawData()), std::vector{all});
+}
+
+}  // namespace
+}  // namespace gripscan::test
