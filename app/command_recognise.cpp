@@ -169,7 +169,7 @@ void add_recognise(const CommandLine& line) {
     add_scene_options(*command, options->scene);
     command
         ->add_option("--alignment", options->alignment,
-                     "T_robot_camera as `calibrate robot` writes it, or a cell file: poses in the "
+                     "T_robot_camera as `calibrate robot` writes it: poses in the "
                      "robot's frame too")
         ->option_text("FILE");
     add_common_options(*command, line.common);
