@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/cell_options.h"
+#include "app/command_run_environment.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/threads.h"
@@ -101,6 +102,7 @@ void add_run(const CommandLine& line) {
     command->callback([options, &action = line.action] {
         action = [options](const Context& context) { return run_gripper(*options, context); };
     });
+    add_run_environment(*run, line);
     need_subcommand(*run);
 }
 

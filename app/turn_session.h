@@ -22,6 +22,9 @@ struct TurnSession {
 [[nodiscard]] Result<TurnSession> begin_session(const std::filesystem::path& folder,
                                                 const CellOptions& options, const Cell& cell);
 
+/// Writes what is known of where the camera stands into the session, as alignment.yaml.
+[[nodiscard]] Status keep_alignment(const std::filesystem::path& folder, const Cell& cell);
+
 /// What a resumed session says about its cell, before that is opened.
 struct RememberedSession {
     SessionStore store;
