@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ struct CellOptions {
     std::string gripper_model;
     std::string object;  ///< in the simulated gripper; empty: nothing
     std::vector<std::string> faults;
+    bool arm_away = false;  ///< out of the picture, as for learning the environment
+    /// Joints 1 … 5 elsewhere than a registration wants them; not remembered.
+    std::optional<std::array<double, 5>> other_joints_deg;
 
     [[nodiscard]] bool simulated() const { return cell == "sim"; }
     [[nodiscard]] MotionMode mode() const;

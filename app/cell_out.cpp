@@ -18,6 +18,7 @@ CellFile cell_file_of(const SimCell& cell, const std::filesystem::path& rig) {
     file.rig = rig;
     file.region = cell.region();
     file.axis_hint = cell.axis_hint();
+    file.T_robot_camera = cell.T_robot_camera();
     return file;
 }
 

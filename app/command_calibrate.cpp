@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/command_calibrate_robot.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/number_checks.h"
@@ -140,7 +141,7 @@ Result<ExitStatus> calibrate_command(const CalibrateOptions& options, const Cont
 
 void add_calibrate(const CommandLine& line) {
     auto options = std::make_shared<CalibrateOptions>();
-    CLI::App* calibrate = line.app.add_subcommand("calibrate", "Calibrate the stereo camera");
+    CLI::App* calibrate = line.app.add_subcommand("calibrate", "Calibrate the stereo camera, or align it to the robot");
     CLI::App* command = calibrate->add_subcommand("stereo", "A stereo rig from images of a board");
     command->add_option("--left", options->left, "Images of the left camera, sorted by name")
         ->required()
@@ -174,6 +175,7 @@ void add_calibrate(const CommandLine& line) {
     command->callback([options, &action = line.action] {
         action = [options](const Context& context) { return calibrate_command(*options, context); };
     });
+    add_calibrate_robot(*calibrate, line);
     need_subcommand(*calibrate);
 }
 

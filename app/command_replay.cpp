@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/environment_work.h"
 #include "app/turn_work.h"
 #include "core/report/results_folder.h"
 
@@ -18,7 +19,11 @@ Result<ExitStatus> replay(const ReplayOptions& options, const Context& context) 
     const std::filesystem::path out =
         options.out.empty() ? session / "results" : std::filesystem::path(options.out);
     // Opening first: a wrong session is the more useful message.
-    if (const auto opened = open_session(session); !opened) return forward_error(opened.error());
+    const auto opened = open_session(session);
+    if (!opened) return forward_error(opened.error());
+    if (opened->spec.kind == SessionKind::kEnvironment) {
+        return replay_environment(*opened, out, context);
+    }
     if (Status target = check_results_target(session, out); !target) {
         return forward_error(target.error());
     }

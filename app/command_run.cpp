@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/cell_options.h"
+#include "app/command_run_environment.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/threads.h"
@@ -155,6 +156,7 @@ void add_run(const CommandLine& line) {
             return run_turn(*options, "gripper", context);
         };
     });
+    add_run_environment(*run, line);
     need_subcommand(*run);
 }
 

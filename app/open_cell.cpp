@@ -26,6 +26,8 @@ Result<Cell> open_simulated(const CellOptions& options) {
     settings.object = options.object;
     settings.faults = options.faults;
     settings.step_deg = options.step_deg;
+    settings.with_arm = !options.arm_away;
+    settings.other_joints_deg = options.other_joints_deg;
     settings.time_scale = kTimeScale;
     auto sim = SimCell::create(settings);
     if (!sim) return forward_error(sim.error());
@@ -39,6 +41,7 @@ Result<Cell> open_simulated(const CellOptions& options) {
     cell.rig = cell.simulated->rig();
     cell.region = cell.simulated->region();
     cell.axis_hint = cell.simulated->axis_hint();
+    cell.T_robot_camera = cell.simulated->T_robot_camera();
     cell.speed_percent = options.speed_percent.value_or(10.0);
     cell.settle_s = 0.3 / kTimeScale;
     return cell;

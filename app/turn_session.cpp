@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/procedure/engine.h"
 #include "core/procedure/journal_codec.h"
+#include "core/session/alignment_file.h"
 
 namespace gripscan::app {
 namespace {
@@ -55,6 +56,14 @@ Status read_entry(const JournalEntry& entry, Entries& read) {
 
 }  // namespace
 
+Status keep_alignment(const std::filesystem::path& folder, const Cell& cell) {
+    if (!cell.T_robot_camera) return {};
+    AlignmentFile file;
+    file.T_robot_camera = cell.T_robot_camera;
+    file.method = cell.simulated != nullptr ? "simulated cell" : "cell file";
+    return save_alignment(folder / "alignment.yaml", file);
+}
+
 Result<TurnSession> begin_session(const std::filesystem::path& folder, const CellOptions& options,
                                   const Cell& cell,
                                   const std::optional<std::string>& gripper_template) {
@@ -70,6 +79,7 @@ Result<TurnSession> begin_session(const std::filesystem::path& folder, const Cel
                              encode(plan)};
     auto store = SessionStore::create(folder, spec, cell.rig, GRIPSCAN_VERSION, opening);
     if (!store) return forward_error(store.error());
+    if (Status kept = keep_alignment(folder, cell); !kept) return forward_error(kept.error());
     return TurnSession{std::move(*store), spec, first_state(plan)};
 }
 

@@ -24,6 +24,9 @@ struct TurnSession {
     const std::filesystem::path& folder, const CellOptions& options, const Cell& cell,
     const std::optional<std::string>& gripper_template = std::nullopt);
 
+/// Writes what is known of where the camera stands into the session, as alignment.yaml.
+[[nodiscard]] Status keep_alignment(const std::filesystem::path& folder, const Cell& cell);
+
 /// What a resumed session says about its cell, before that is opened.
 struct RememberedSession {
     SessionStore store;
