@@ -1,5 +1,6 @@
 #include "app/workstation/recorded_turn.h"
 
+#include "app/session_settings.h"
 #include "app/turn_session.h"
 #include "core/base/units.h"
 #include "core/cloud/cloud_file.h"
@@ -60,8 +61,9 @@ struct Computed {
 Result<Computed> compute(const Session& session, const Progress& progress,
                          const ForEach& for_each) {
     const TurnRecording recording = recording_of(session);
-    auto workspace =
-        TurnWorkspace::create(recording.rig, recording.region, compute_settings_of(session));
+    auto settings = session_settings(session, {});
+    if (!settings) return forward_error(settings.error());
+    auto workspace = TurnWorkspace::create(recording.rig, recording.region, *settings);
     if (!workspace) return forward_error(workspace.error());
     SeenCaptures seen([] {});
     if (recording.rig) {
@@ -98,17 +100,16 @@ Result<RecordedTurn> load_recorded_turn(const fs::path& folder, const Progress& 
                                         const ForEach& for_each) {
     auto session = open_session(folder);
     if (!session) return forward_error(session.error());
-    if (session->spec.kind != SessionKind::kGripper) {
-        return input_error(
-            "{}: a session of kind {} cannot be shown by this version; kind gripper "
-            "can",
-            (folder / "session.yaml").string(), word(session->spec.kind));
+    const bool object = session->spec.kind == SessionKind::kObject;
+    if (session->spec.kind != SessionKind::kGripper && !object) {
+        return input_error("{}: a session of kind {} is no turn; kinds gripper and object are",
+                           (folder / "session.yaml").string(), word(session->spec.kind));
     }
     auto computed = compute(*session, progress, for_each);
     if (!computed) return forward_error(computed.error());
     RecordedTurn recorded;
-    recorded.facts = {folder, folder.filename().string(), "recording", true,
-                      (folder / "results").string()};
+    recorded.facts = {folder, folder.filename().string(),    "recording",
+                      true,   (folder / "results").string(), object};
     recorded.captures = std::move(computed->captures);
     recorded.solved = std::make_shared<ComputedTurn>(std::move(computed->turn));
     const TurnReport& report = recorded.solved->report;
