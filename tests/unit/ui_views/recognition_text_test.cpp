@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "tests/support/sample_snapshot.h"
+#include "ui/theme/shown_number.h"
 
 namespace gripscan::ui {
 namespace {
