@@ -23,9 +23,9 @@ constexpr std::array<ColumnText, 11> kPoseColumns{{{"template", "", 190, 0, true
                                                    {"X mm", "Position", 84},
                                                    {"Y mm", "Position", 84},
                                                    {"Z mm", "Position", 84},
-                                                   {"W °", "Rz(R) Ry(P) Rx(W)", 84},
-                                                   {"P °", "Rz(R) Ry(P) Rx(W)", 84},
-                                                   {"R °", "Rz(R) Ry(P) Rx(W)", 84},
+                                                   {"W °", "Rz(R) Ry(P) Rx(W)", 84, 4},
+                                                   {"P °", "Rz(R) Ry(P) Rx(W)", 84, 5},
+                                                   {"R °", "Rz(R) Ry(P) Rx(W)", 84, 6},
                                                    {"score", "Fit", 60, 2},
                                                    {"seen %", "Fit", 60, 1},
                                                    {"RMS mm", "Fit", 66, 3}}};
@@ -46,8 +46,12 @@ RowText pose_row(std::string name, std::string_view frame, const Pose& T, Emphas
     row.cells.push_back({std::move(name), Emphasis::kStrong});
     row.cells.push_back({std::string(frame),
                          emphasis == Emphasis::kStrong ? Emphasis::kStrong : Emphasis::kSecond});
+    // Strong is for words: numbers that matter are those that are not grey.
+    const Emphasis tone = emphasis == Emphasis::kStrong  ? Emphasis::kNormal
+                          : emphasis == Emphasis::kThird ? Emphasis::kThird
+                                                         : Emphasis::kSecond;
     for (const double number : numbers_of(T)) {
-        row.cells.push_back({shown_number(number, 2), emphasis});
+        row.cells.push_back({shown_number(number, 2), tone});
     }
     row.cells.resize(kPoseColumns.size());
     return row;
@@ -108,7 +112,7 @@ RecognitionVerdict recognition_verdict(const Snapshot& snapshot) {
                 fmt::format("`{}` templates are in the library.", snapshot.library.size())};
     }
     if (!shown->strangers.empty()) {
-        return {State::kCheck, "Something is in the way", shown->strangers.front()};
+        return {State::kCheck, "Not clear", shown->strangers.front()};
     }
     if (shown->found.empty()) {
         return {State::kCheck, "Nothing found",
@@ -128,7 +132,7 @@ RecognitionVerdict recognition_verdict(const Snapshot& snapshot) {
         return {State::kCheck, "Found, out of reach", shown->grasp->sentence};
     }
     if (shown->grasp) sentence += fmt::format(" {}", shown->grasp->sentence);
-    return {State::kAccept, shown->found.size() == 1 ? "Found" : "All found in one view", sentence};
+    return {State::kAccept, "Found", sentence};
 }
 
 std::vector<EvidenceText> found_evidence(const ShownRecognition& shown, std::size_t i) {

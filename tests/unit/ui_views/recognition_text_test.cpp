@@ -78,7 +78,7 @@ TEST(Poses, StandInEveryFrameThatIsKnown) {
     EXPECT_EQ(text.rows[0].cells[0].text, "carton");
     EXPECT_EQ(text.rows[0].cells[2].text, "142.96");
     EXPECT_EQ(text.rows[2].cells[1].text, "robot");
-    EXPECT_EQ(text.rows[2].cells[2].emphasis, Emphasis::kStrong);
+    EXPECT_EQ(text.rows[2].cells[1].emphasis, Emphasis::kStrong);
     EXPECT_EQ(text.rows[0].cells[5].text, shown_number(deg_from_rad(0.1), 2));
 }
 
