@@ -65,10 +65,4 @@ void EnvironmentDesk::learn(const CellOptions& cell, std::function<void()> done)
         });
 }
 
-void EnvironmentDesk::forget() {
-    jobs_.stop(kLearning);
-    model_.reset();
-    facts_.reset();
-}
-
 }  // namespace gripscan::app

@@ -22,7 +22,6 @@ class EnvironmentDesk {
     /// Takes pictures of that cell with the arm out of the picture and learns from them. The camera
     /// of a real cell must not be in use.
     void learn(const CellOptions& cell, std::function<void()> done);
-    void forget();
 
     /// Null: not learned.
     [[nodiscard]] std::shared_ptr<const EnvironmentModel> model() const { return model_; }

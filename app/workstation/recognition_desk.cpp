@@ -16,13 +16,6 @@ constexpr const char* kListing = "Reading the library";
 constexpr const char* kSearching = "Recognising";
 constexpr const char* kAdding = "Adding to the library";
 
-/// An empty library where there is none yet: the first template makes the folder.
-Result<Library> open_or_begin(const fs::path& folder) {
-    std::error_code code;
-    if (!fs::exists(folder, code)) return Library{folder, {}};
-    return open_library(folder);
-}
-
 ui::TemplateKind kind_of(const std::string& kind) {
     return kind == "gripper" ? ui::TemplateKind::kGripper : ui::TemplateKind::kObject;
 }
@@ -187,7 +180,7 @@ void RecognitionDesk::listed(const Library& library) {
 
 void RecognitionDesk::refresh() {
     jobs_.start(kListing, [this, folder = folder_](const Progress&) -> JobList::Outcome {
-        auto library = std::make_shared<Result<Library>>(open_or_begin(folder));
+        auto library = std::make_shared<Result<Library>>(open_or_begin_library(folder));
         return [this, library] {
             if (*library) {
                 listed(**library);
@@ -204,7 +197,7 @@ void RecognitionDesk::recognise(SearchRequest request) {
                  prepared = prepared_](const Progress& progress) -> JobList::Outcome {
                     const auto search = [&]() -> Result<std::shared_ptr<ui::ShownRecognition>> {
                         WorkerPool pool(threads);
-                        const auto library = open_or_begin(folder);
+                        const auto library = open_or_begin_library(folder);
                         if (!library) return forward_error(library.error());
                         const auto templates = prepared->of(*library, progress, pool.for_each());
                         if (!templates) return forward_error(templates.error());
@@ -264,7 +257,7 @@ void RecognitionDesk::add(const fs::path& session, const std::optional<Pose>& T_
                 [this, session, T_tool_template, done = std::move(done), folder = folder_,
                  threads = threads_](const Progress& progress) -> JobList::Outcome {
                     const auto work = [&]() -> Result<std::pair<Library, std::string>> {
-                        auto library = open_or_begin(folder);
+                        auto library = open_or_begin_library(folder);
                         if (!library) return forward_error(library.error());
                         AddRequest request;
                         request.source = session;
@@ -290,7 +283,7 @@ void RecognitionDesk::add(const fs::path& session, const std::optional<Pose>& T_
 }
 
 void RecognitionDesk::remove(const std::string& name) {
-    auto library = open_or_begin(folder_);
+    auto library = open_or_begin_library(folder_);
     if (library) {
         if (Status removed = remove_entry(*library, name); !removed) {
             fail_("The template was not removed", removed.error());

@@ -4,6 +4,7 @@
 #include "app/turn_session.h"
 #include "core/base/units.h"
 #include "core/cloud/cloud_file.h"
+#include "core/session/capture_joints.h"
 #include "core/session/session.h"
 
 namespace gripscan::app {
@@ -20,12 +21,7 @@ CaptureRecord record_of(const CaptureRow& row) {
     record.note = row.note;
     record.t_s = row.t_s.value_or(0.0);
     if (row.j6_after_deg) record.joint6_after_rad = rad_from_deg(*row.j6_after_deg);
-    RobotReading reading;
-    for (std::size_t i = 0; i < reading.joints_rad.size(); ++i) {
-        if (!row.joints_deg[i]) return record;
-        reading.joints_rad[i] = rad_from_deg(*row.joints_deg[i]);
-    }
-    record.before = reading;
+    if (const auto joints = joints_rad(row)) record.before.emplace().joints_rad = *joints;
     return record;
 }
 

@@ -155,7 +155,8 @@ ui::Snapshot Workstation::snapshot() const {
     shown.filter = filter_;
     if (shown.solved && shown_template_.whole) shown.shown_template = shown_template_;
     shown.last_export = last_export_;
-    shown.sim_objects = sim_objects();
+    static const std::vector<std::string> kObjects = sim_objects();
+    shown.sim_objects = kObjects;
     shown.keys = ui::key_bindings(preferences_.preferences);
     shown.version = GRIPSCAN_VERSION;
     return shown;
