@@ -177,7 +177,7 @@ Status CloudView::draw(const Scene& scene, int width_px, int height_px, const Th
     parts.lines.draw(lines, scene.camera, {part * viewport.width_px, part * viewport.height_px},
                      range, shown_scale, parts.shown->points->depth());
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    note_texture_changed(texture());
+    note_texture_changed(texture(), SeenThrough::kNo);
     return {};
 }
 

@@ -190,11 +190,17 @@ Rect pixels_of(const ImVec4& clip, const ImVec2& origin, int height_px) {
 
 }  // namespace
 
-ClippedFrame::ClippedFrame(const ImDrawData& frame, const Rect& rect) : frame_(frame) {
+ClippedFrame::ClippedFrame(const ImDrawData& frame, const Rect& rect, std::size_t first_command)
+    : frame_(frame) {
     const auto height_px = static_cast<int>(frame.DisplaySize.y * frame.FramebufferScale.y);
     for (int n = 0; n < frame.CmdListsCount; ++n) {
         for (ImDrawCmd& command : frame.CmdLists[n]->CmdBuffer) {
             own_.push_back(command.ClipRect);
+            if (own_.size() <= first_command) {
+                command.ClipRect = {frame.DisplayPos.x, frame.DisplayPos.y, frame.DisplayPos.x,
+                                    frame.DisplayPos.y};
+                continue;
+            }
             const Rect own = pixels_of(command.ClipRect, frame.DisplayPos, height_px);
             const int left = std::max(own.x, rect.x);
             const int top = std::max(own.y, rect.y);

@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -32,11 +33,11 @@ class Damage {
     std::vector<std::uint64_t> tiles_;  ///< a sum over what is drawn there, row by row
 };
 
-/// The same commands with their clip rectangles cut down to one rectangle, until the end of its
-/// life.
+/// The same commands with their clip rectangles cut down to one rectangle, those before the first
+/// with none, until the end of its life.
 class ClippedFrame {
   public:
-    ClippedFrame(const ImDrawData& frame, const Rect& rect);
+    ClippedFrame(const ImDrawData& frame, const Rect& rect, std::size_t first_command = 0);
     ~ClippedFrame();
     ClippedFrame(const ClippedFrame&) = delete;
     ClippedFrame& operator=(const ClippedFrame&) = delete;

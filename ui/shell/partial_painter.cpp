@@ -3,12 +3,21 @@
 #include <string_view>
 
 #include "ui/gl/texture_version.h"
+#include "ui/shell/opaque_picture.h"
 
 namespace gripscan::ui {
 namespace {
 
+GLuint name_of(ImTextureID id) {
+    return static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(id));
+}
+
 std::uint64_t version_of(ImTextureID id) {
-    return texture_version(static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(id)));
+    return texture_version(name_of(id));
+}
+
+bool opaque(ImTextureID id) {
+    return texture_opaque(name_of(id));
 }
 
 bool software_rasteriser() {
@@ -44,9 +53,12 @@ Result<bool> PartialPainter::paint(int width_px, int height_px) {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, width_px, height_px);
     }
+    const std::vector<OpaquePicture> pictures = opaque_pictures(frame, opaque);
     for (const Rect& rect : rects) {
-        const ClippedFrame clipped(frame, rect);
-        painter_->paint();
+        for (const Piece& piece : pieces_of(rect, pictures)) {
+            const ClippedFrame clipped(frame, piece.rect, piece.first_command);
+            painter_->paint();
+        }
     }
     return !rects.empty();
 }
