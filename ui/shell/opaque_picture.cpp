@@ -40,14 +40,20 @@ std::optional<Rect> filled_by(const ImDrawList& list, const ImDrawCmd& command,
         }
     }
     if (twice_area < 2.0F * (most.x - least.x) * (most.y - least.y) - 0.5F) return std::nullopt;
-    const auto left = static_cast<int>(std::ceil(std::max(least.x, command.ClipRect.x) - origin.x));
-    const auto top = static_cast<int>(std::ceil(std::max(least.y, command.ClipRect.y) - origin.y));
-    const auto right =
-        static_cast<int>(std::floor(std::min(most.x, command.ClipRect.z) - origin.x));
-    const auto bottom =
-        static_cast<int>(std::floor(std::min(most.y, command.ClipRect.w) - origin.y));
-    if (right <= left || bottom <= top) return std::nullopt;
-    return Rect{left, top, right - left, bottom - top};
+    const float sides[] = {
+        std::max(least.x, command.ClipRect.x) - origin.x,
+        std::max(least.y, command.ClipRect.y) - origin.y,
+        std::min(most.x, command.ClipRect.z) - origin.x,
+        std::min(most.y, command.ClipRect.w) - origin.y,
+    };
+    // Where a side runs through pixels, they show what lies under them, or do not.
+    if (std::ranges::any_of(sides, [](float side) { return side != std::floor(side); })) {
+        return std::nullopt;
+    }
+    const auto left = static_cast<int>(sides[0]);
+    const auto top = static_cast<int>(sides[1]);
+    const Rect rect{left, top, static_cast<int>(sides[2]) - left, static_cast<int>(sides[3]) - top};
+    return rect.empty() ? std::nullopt : std::optional(rect);
 }
 
 Rect common(const Rect& a, const Rect& b) {
@@ -62,8 +68,8 @@ long area(const Rect& rect) {
 
 }  // namespace
 
-std::vector<OpaquePicture> opaque_pictures(const ImDrawData& frame,
-                                           const std::function<bool(ImTextureID)>& opaque) {
+std::vector<OpaquePicture> opaque_pictures(const ImDrawData& frame, const TextureOpaque& opaque) {
+    if (!opaque) return {};
     std::vector<OpaquePicture> pictures;
     std::size_t number = 0;
     for (int n = 0; n < frame.CmdListsCount; ++n) {
@@ -72,7 +78,8 @@ std::vector<OpaquePicture> opaque_pictures(const ImDrawData& frame,
             const std::size_t own = number++;
             if (!opaque(command.GetTexID())) continue;
             const auto rect = filled_by(list, command, frame.DisplayPos);
-            if (rect && area(*rect) >= kWorth_px) pictures.push_back({*rect, own});
+            if (rect && area(*rect) >= kWorth_px)
+                pictures.push_back({*rect, own, command.GetTexID()});
         }
     }
     return pictures;

@@ -17,16 +17,21 @@ namespace gripscan::ui {
 struct OpaquePicture {
     Rect rect;            ///< px that it fills wholly
     std::size_t command;  ///< the one that draws it, counted over all lists of the frame
+    ImTextureID texture;
 };
 
-/// In the order in which they are drawn. `opaque`: whether no pixel of that texture shows through.
-[[nodiscard]] std::vector<OpaquePicture> opaque_pictures(
-    const ImDrawData& frame, const std::function<bool(ImTextureID)>& opaque);
+/// Whether no pixel of that texture shows through.
+using TextureOpaque = std::function<bool(ImTextureID)>;
+
+/// Those worth to be known, in the order in which they are drawn.
+[[nodiscard]] std::vector<OpaquePicture> opaque_pictures(const ImDrawData& frame,
+                                                         const TextureOpaque& opaque);
 
 /// A part of the frame, and the first command that can be seen in it.
 struct Piece {
     Rect rect;
     std::size_t first_command = 0;
+    friend bool operator==(const Piece&, const Piece&) = default;
 };
 
 /// Disjoint pieces that are `rect` together; few, because each is drawn by itself.

@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "ui/gl/texture_version.h"
-#include "ui/shell/opaque_picture.h"
 
 namespace gripscan::ui {
 namespace {
@@ -29,7 +28,9 @@ bool software_rasteriser() {
 }  // namespace
 
 PartialPainter::PartialPainter(std::unique_ptr<ImGuiPainter> painter)
-    : painter_(std::move(painter)), damage_(version_of), window_keeps_(software_rasteriser()) {}
+    : painter_(std::move(painter)),
+      damage_(version_of, opaque),
+      window_keeps_(software_rasteriser()) {}
 
 void PartialPainter::begin_frame(bool fonts_changed) {
     painter_->begin_frame(fonts_changed);
@@ -46,21 +47,18 @@ Result<bool> PartialPainter::paint(int width_px, int height_px) {
         damage_.forget();
     }
     const ImDrawData& frame = *ImGui::GetDrawData();
-    const std::vector<Rect> rects = damage_.next(frame);
+    const std::vector<Piece> pieces = damage_.next(frame);
     if (picture_) {
         picture_->bind();
     } else {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, width_px, height_px);
     }
-    const std::vector<OpaquePicture> pictures = opaque_pictures(frame, opaque);
-    for (const Rect& rect : rects) {
-        for (const Piece& piece : pieces_of(rect, pictures)) {
-            const ClippedFrame clipped(frame, piece.rect, piece.first_command);
-            painter_->paint();
-        }
+    for (const Piece& piece : pieces) {
+        const ClippedFrame clipped(frame, piece.rect, piece.first_command);
+        painter_->paint();
     }
-    return !rects.empty();
+    return !pieces.empty();
 }
 
 void PartialPainter::show() const {
