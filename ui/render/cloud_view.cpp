@@ -1,5 +1,6 @@
 #include "ui/render/cloud_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -11,6 +12,12 @@
 
 namespace gripscan::ui {
 namespace {
+
+/// How much larger the points of a sample are drawn, so that the surface stays closed.
+double widening(const Slice& slice) {
+    constexpr double kMost = 3.0;  // beyond it edges look like scales
+    return slice.coarse ? std::min(kMost, 1.0 / std::sqrt(slice.to - slice.from)) : 1.0;
+}
 
 /// Everything a drawn point depends on.
 struct PictureKey {
@@ -170,7 +177,8 @@ Status CloudView::draw(const Scene& scene, int width_px, int height_px, const Th
     Parts::Layer& layer = parts.layer_of(slice, changed);
     layer.points->bind();
     parts.points.draw(scene.chunks, scene.camera, viewport, range, scene.settings, theme,
-                      Scale(scale.factor() * static_cast<float>(layer.part)), slice);
+                      Scale(scale.factor() * static_cast<float>(layer.part * widening(slice))),
+                      slice);
     const double part = parts.shown->part;
     const Scale shown_scale(scale.factor() * static_cast<float>(part));
     parts.shade_cloud(theme, shown_scale, range, scene.settings.eye_dome);
