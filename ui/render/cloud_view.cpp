@@ -125,7 +125,11 @@ struct CloudView::Parts {
         shade.set("near_m", static_cast<float>(range.near_m));
         shade.set("far_m", static_cast<float>(range.far_m));
         shade.set("strength", eye_dome ? 14.0F : 0.0F);
-        shade.set("rings", detail.complete() ? 2 : 1);
+        const bool rests = detail.complete();
+        shade.set("rings", rests ? 2 : 1);
+        shade.set("neighbours", rests ? 8 : 4);
+        shade.set("turn", rests ? Eigen::Vector2f(std::sqrt(0.5F), std::sqrt(0.5F))
+                                : Eigen::Vector2f(0.0F, 1.0F));
         shade.set("radius_px", Eigen::Vector2f(1.5F * scale.factor(), 4.0F * scale.factor()));
         glBindVertexArray(no_vertices.name());
         glDrawArrays(GL_TRIANGLES, 0, 3);
