@@ -4,6 +4,7 @@
 
 #include "app/number_checks.h"
 #include "core/base/number_text.h"
+#include "core/robot/speed_limits.h"
 #include "core/sim/sim_cell.h"
 
 namespace gripscan::app {
@@ -48,7 +49,7 @@ void add_cell_options(CLI::App& command, CellOptions& options) {
                      "Move a real arm; without it motions are written down and not sent (DRY)");
     command.add_option("--speed", options.speed_percent, "Of joint 6 (the cell file's, else 10)")
         ->check(finite_number())
-        ->check(CLI::Range(1.0, 30.0))
+        ->check(CLI::Range(kLeastSpeed_percent, kMostSpeed_percent))
         ->option_text("PERCENT");
     command.add_flag("--manual", options.manual,
                      "No motion rights: turn the joint with the pendant, gripscan reads the angle "

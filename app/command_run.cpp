@@ -22,8 +22,21 @@ struct RunOptions {
     TurnOptions turn;
 };
 
+/// There has to be something to go on with: a mistyped folder shall not begin a turn.
+Status check_resumed(const RunOptions& options) {
+    std::error_code code;
+    if (std::filesystem::exists(options.out, code)) return {};
+    return input_error(
+        "there is no session at {} to resume; without --resume a new one begins there",
+        options.out);
+}
+
 Status check_run(const RunOptions& options) {
-    if (Status sensible = check(options.cell); !sensible) return sensible;
+    if (options.resume) {
+        if (Status there = check_resumed(options); !there) return there;
+    } else if (Status sensible = check(options.cell); !sensible) {
+        return sensible;
+    }
     if (!options.gripper.empty() && options.resume) {
         return input_error("a resumed session names its gripper itself: leave --gripper out");
     }
@@ -74,11 +87,14 @@ Result<ExitStatus> run_turn(const RunOptions& options, std::string_view what,
                                .threads = thread_count(context)};
     auto run = TurnRun::open(run_options, {}, context.stop);
     if (!run) return forward_error(run.error());
-    const auto driven = drive_turn((*run)->engine(), {(*run)->resumed()}, context);
+    const DriverOptions drive{.resumed = (*run)->resumed(),
+                              .speed_percent = options.cell.speed_percent};
+    const auto driven = drive_turn((*run)->engine(), drive, context);
     if (!driven) {
         say(context, fmt::format("what was recorded lies in {}; go on with: gripscan run {} "
-                                 "--resume --out {}",
-                                 options.out, what, options.out));
+                                 "--resume --out {}{}",
+                                 options.out, what, options.out,
+                                 (*run)->cell_options().live ? " --live" : ""));
         return forward_error(driven.error());
     }
     return finish(**run, *driven, options, context);
@@ -103,7 +119,8 @@ void add_turn_run_options(CLI::App& command, RunOptions& options, CommonOptions&
         ->required()
         ->option_text("DIR");
     command.add_flag("--resume", options.resume,
-                     "Go on with the session in --out where it was interrupted");
+                     "Go on with the session in --out where it was interrupted; one that moves a "
+                     "real arm is asked for --live again");
     command.add_option("--truth", options.truth, "Write the simulator's truth there, apart")
         ->option_text("DIR");
     add_turn_options(command, options.turn);

@@ -10,8 +10,9 @@ namespace {
 
 /// The simulated cell in this process need not keep a person's pace.
 constexpr double kTimeScale = 20.0;
-/// Steps go up to 120°; longer motions are sent in pieces of 90°.
-constexpr double kMaxStep_deg = 90.5;
+/// As the controller's server allows it (STEP_CAP of gs_conf.kl): longer motions are sent in
+/// pieces.
+constexpr double kMaxStep_deg = 45.0;
 
 std::unique_ptr<RobotLink> link_to(gsp::GspSettings settings, bool motion_rights) {
     settings.motion_rights = motion_rights;

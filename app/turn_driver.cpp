@@ -15,6 +15,7 @@ class Driver {
 
     /// Gives a command and waits until nothing is going on.
     Status command(const Command& command) {
+        if (context_.stop.stop_requested()) return cancelled_error();
         auto reply = engine_.submit(command);
         if (!reply) return forward_error(reply.error());
         if (*reply) return input_error("{}: {}", word(command), **reply);
@@ -29,6 +30,18 @@ class Driver {
             if (!taken) return forward_error(taken.error());
             talk_.tell(engine_.state());
         }
+        return {};
+    }
+
+    /// A turn that is gone on with may be asked for another speed than it began with.
+    Status change_speed(const std::optional<double>& percent) {
+        if (!percent || *percent == state().plan.speed_percent) return {};
+        TurnPlan plan = state().plan;
+        plan.speed_percent = *percent;
+        auto reply = engine_.submit(command::SetPlan{plan});
+        if (!reply) return forward_error(reply.error());
+        if (*reply)
+            return input_error("the speed stays at {} %: {}", state().plan.speed_percent, **reply);
         return {};
     }
 
@@ -53,11 +66,12 @@ class Driver {
                in<phase::Halting>() == nullptr;
     }
 
+    /// While a link is being connected there is nothing to stop yet: it is asked again.
     Status pass_on_stop() {
         if (stopped_ || !context_.stop.stop_requested()) return {};
-        stopped_ = true;
         auto reply = engine_.submit(command::Stop{});
         if (!reply) return forward_error(reply.error());
+        stopped_ = !*reply;
         return {};
     }
 
@@ -66,9 +80,21 @@ class Driver {
         if (busy == nullptr || stopped_) return {};
         const auto* waiting = std::get_if<activity::AwaitingOperator>(&busy->activity);
         if (waiting == nullptr) return {};
-        const auto answer = prompt_for_angle(waiting->target_rad, state().reading.has_value(),
-                                             context_.stop);
+        const auto answer =
+            prompt_for_angle(waiting->target_rad, state().reading.has_value(), context_.stop);
         if (!answer) return forward_error(answer.error());
+        if (const auto* told = std::get_if<command::TellAngle>(&*answer)) {
+            const double off_rad = told->joint6_rad - waiting->target_rad;
+            if (std::abs(off_rad) > 0.5 * state().data.step_rad) {
+                say(context_,
+                    fmt::format("{:.2f} deg is {:.2f} deg from where the next view is taken, more "
+                                "than half a step: turn it to {:.2f} deg, rising, or type the "
+                                "angle again",
+                                deg_from_rad(told->joint6_rad), deg_from_rad(std::abs(off_rad)),
+                                deg_from_rad(waiting->target_rad)));
+                return {};
+            }
+        }
         auto reply = engine_.submit(*answer);
         if (!reply) return forward_error(reply.error());
         if (*reply) say(context_, **reply);
@@ -114,11 +140,14 @@ Result<TurnEnd> end_of(Driver& driver) {
 
 }  // namespace
 
-Result<DrivenTurn> drive_turn(Engine& engine, const DriverOptions& options, const Context& context) {
+Result<DrivenTurn> drive_turn(Engine& engine, const DriverOptions& options,
+                              const Context& context) {
     Driver driver(engine, context);
     if (Status s = driver.command(command::Connect{}); !s) return forward_error(s.error());
     if (Status s = trouble_of_link(driver); !s) return forward_error(s.error());
     if (Status s = driver.ask_where_it_stands(); !s) return forward_error(s.error());
+    if (context.stop.stop_requested()) return cancelled_error();
+    if (Status s = driver.change_speed(options.speed_percent); !s) return forward_error(s.error());
     if (options.resumed && driver.in<phase::Interrupted>() != nullptr) {
         auto reply = engine.submit(command::Resume{});
         if (!reply) return forward_error(reply.error());

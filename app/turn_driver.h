@@ -8,6 +8,8 @@ namespace gripscan::app {
 
 struct DriverOptions {
     bool resumed = false;  ///< the state comes from a journal
+    /// Of joint 6 from here on; nothing: as planned.
+    std::optional<double> speed_percent = std::nullopt;
 };
 
 /// How the drive ended. An error is one of device, disk or cancelled.

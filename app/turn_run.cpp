@@ -1,5 +1,6 @@
 #include "app/turn_run.h"
 
+#include "app/resumed_cell.h"
 #include "app/session_settings.h"
 #include "core/procedure/region_stillness.h"
 #include "core/report/gripper_template_file.h"
@@ -58,9 +59,12 @@ Result<std::unique_ptr<TurnRun>> TurnRun::open(const TurnRunOptions& options,
     } else {
         auto remembered = remember_session(options.out);
         if (!remembered) return forward_error(remembered.error());
-        // Which cell it was is known; a cell file may say again where it is now.
-        CellOptions cell_options = remembered->options;
-        if (!options.cell.simulated()) cell_options.cell = options.cell.cell;
+        auto resumed = options.in_its_mode ? Result<CellOptions>(remembered->options)
+                                           : resumed_cell(remembered->options, options.cell);
+        if (!resumed) {
+            return input_error("{}: {}", options.out.string(), resumed.error().message);
+        }
+        const CellOptions cell_options = std::move(*resumed);
         auto cell = open_cell(cell_options);
         if (!cell) return forward_error(cell.error());
         run.reset(new TurnRun(std::move(*cell),

@@ -22,6 +22,9 @@ struct TurnRunOptions {
     /// that it was registered in. Empty: the gripper's own turn.
     std::filesystem::path gripper;
     bool resume = false;
+    /// Resumed in whatever mode it was: its window shows which, and asks before each motion by
+    /// hand.
+    bool in_its_mode = false;
     TurnOptions turn;
     unsigned threads = 1;
 };

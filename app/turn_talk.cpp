@@ -47,14 +47,14 @@ void TurnTalk::tell_cell(const ProcedureState& state) {
     for (const CellCheckItem& item : state.cell->items) {
         // Measured again after the warm-up: numbers that passed before need not be told twice.
         const auto told = items_told_.find(item.name);
-        const bool passed_twice =
-            told != items_told_.end() && told->second.starts_with(mark(CheckOutcome::kPassed)) &&
-            item.outcome == CheckOutcome::kPassed;
+        const bool passed_twice = told != items_told_.end() &&
+                                  told->second.starts_with(mark(CheckOutcome::kPassed)) &&
+                                  item.outcome == CheckOutcome::kPassed;
         const std::string line = fmt::format("{} {}", mark(item.outcome), item.sentence);
         if (passed_twice || (told != items_told_.end() && told->second == line)) continue;
         items_told_[item.name] = line;
-        say(context_, fmt::format("cell check {} {:<11}{}", mark(item.outcome), item.name,
-                                  item.sentence));
+        say(context_,
+            fmt::format("cell check {} {:<11}{}", mark(item.outcome), item.name, item.sentence));
     }
 }
 

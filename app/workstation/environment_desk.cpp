@@ -1,5 +1,7 @@
 #include "app/workstation/environment_desk.h"
 
+#include <fmt/format.h>
+
 #include "app/environment_work.h"
 #include "app/workstation/session_files.h"
 #include "core/concurrency/worker_pool.h"
@@ -37,6 +39,15 @@ Result<EnvironmentModel> learned(CellOptions options, const fs::path& folder,
     return model;
 }
 
+/// Which surroundings a camera sees: those of a cell file, or what a seed makes of the simulated
+/// one.
+std::string place_of(const CellOptions& cell) {
+    if (cell.simulated()) return fmt::format("sim {}", cell.seed);
+    std::error_code code;
+    const fs::path file = fs::weakly_canonical(cell.cell, code);
+    return code ? cell.cell : file.string();
+}
+
 }  // namespace
 
 EnvironmentDesk::EnvironmentDesk(fs::path sessions, unsigned threads, JobList& jobs, Fail fail)
@@ -51,7 +62,7 @@ void EnvironmentDesk::learn(const CellOptions& cell, std::function<void()> done)
             WorkerPool pool(threads);
             auto model = std::make_shared<Result<EnvironmentModel>>(
                 learned(cell, folder, progress, pool.for_each()));
-            return [this, model, folder, done] {
+            return [this, model, folder, cell, done] {
                 if (!*model) {
                     if (model->error().kind != ErrorKind::kCancelled) {
                         fail_("The environment was not learned", model->error());
@@ -59,10 +70,19 @@ void EnvironmentDesk::learn(const CellOptions& cell, std::function<void()> done)
                     return;
                 }
                 facts_ = ui::EnvironmentFacts{folder, (*model)->captures, (*model)->known()};
+                place_ = place_of(cell);
                 model_ = std::make_shared<EnvironmentModel>(std::move(**model));
                 done();
             };
         });
+}
+
+std::shared_ptr<const EnvironmentModel> EnvironmentDesk::model(const CellOptions& cell) const {
+    return place_ == place_of(cell) ? model_ : nullptr;
+}
+
+void EnvironmentDesk::show_in(ui::Snapshot& snapshot, const CellOptions& cell) const {
+    if (place_ == place_of(cell)) snapshot.environment = facts_;
 }
 
 }  // namespace gripscan::app

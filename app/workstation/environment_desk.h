@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "app/cell_options.h"
 #include "app/workstation/job_list.h"
@@ -23,15 +24,16 @@ class EnvironmentDesk {
     /// of a real cell must not be in use.
     void learn(const CellOptions& cell, std::function<void()> done);
 
-    /// Null: not learned.
-    [[nodiscard]] std::shared_ptr<const EnvironmentModel> model() const { return model_; }
-    void show_in(ui::Snapshot& snapshot) const { snapshot.environment = facts_; }
+    /// The one of that cell; null: not learned, or of another cell.
+    [[nodiscard]] std::shared_ptr<const EnvironmentModel> model(const CellOptions& cell) const;
+    void show_in(ui::Snapshot& snapshot, const CellOptions& cell) const;
 
   private:
     std::filesystem::path sessions_;
     unsigned threads_;
     JobList& jobs_;
     Fail fail_;
+    std::string place_;  ///< where it was learned
     std::shared_ptr<const EnvironmentModel> model_;
     std::optional<ui::EnvironmentFacts> facts_;
 };

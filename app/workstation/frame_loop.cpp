@@ -34,7 +34,10 @@ Status FrameLoop::make_views() {
 ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
     ++frames_;
     station_.pump(input.ui.time_s);
-    for (const auto& path : input.dropped) station_.take(ui::request::Open{path});
+    for (const auto& path : input.dropped) {
+        prepare_for(ui::request::Open{path});
+        station_.take(ui::request::Open{path});
+    }
     if (input.close_requested) {
         prepare_for(ui::request::Quit{});
         station_.take(ui::request::Quit{});
@@ -79,8 +82,11 @@ void FrameLoop::prepare_for(const ui::Request& request) {
         }
     } else if (std::holds_alternative<ui::request::Quit>(request)) {
         screen_.close.quits = true;
-    } else if (std::holds_alternative<ui::request::CloseSession>(request)) {
-        screen_.close.quits = false;
+    } else if (std::holds_alternative<ui::request::CloseSession>(request) ||
+               std::holds_alternative<ui::request::Open>(request) ||
+               std::holds_alternative<ui::request::Resume>(request) ||
+               std::holds_alternative<ui::request::Begin>(request)) {
+        screen_.close.quits = false;  // another session shall take its place
     } else if (std::holds_alternative<ui::request::Tour>(request)) {
         auto tour = guided_tour();
         if (tour) {

@@ -4,6 +4,7 @@
 
 #include "app/results_of.h"
 #include "app/workstation/export_template.h"
+#include "app/workstation/hold_to_move.h"
 #include "core/base/atomic_file.h"
 #include "core/report/results_folder.h"
 #include "core/sim/sim_cell.h"
@@ -44,10 +45,21 @@ CellOptions cell_options_of(const ui::SessionWish& wish) {
     return options;
 }
 
-/// A motion is going on, or will be sent once what goes on has ended.
-bool moving(const ProcedureState& state) {
-    const auto* busy = std::get_if<phase::Busy>(&state.phase);
-    return busy != nullptr && std::holds_alternative<activity::Moving>(busy->activity);
+/// What to do about an error whose message does not go with a place of its own.
+std::string_view advice_for(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::kDevice:
+            return "Check power, cable and address of the device that is named, then do it again. "
+                   "What was recorded is safe.";
+        case ErrorKind::kRejected:
+            return "Nothing was kept of it. Look at the number that is over its limit, change what "
+                   "it names, then do it again.";
+        case ErrorKind::kInput:
+        case ErrorKind::kCancelled:
+            break;
+    }
+    return "Nothing was changed. Correct what is named above, or choose something else, then do it "
+           "again.";
 }
 
 }  // namespace
@@ -103,6 +115,7 @@ void Workstation::toast(LogLevel level, std::string id, std::string title, std::
 void Workstation::fail(std::string title, const Error& error, std::string advice) {
     if (error.kind == ErrorKind::kCancelled) return;
     log(LogLevel::kError, "WIN-010", fmt::format("{}: {}", title, error.message));
+    if (advice.empty()) advice = advice_for(error.kind);
     error_ = ui::ShownError{std::move(title), error.message, std::move(advice), "", {}};
     dialog_ = ui::Dialog::kError;
 }
@@ -130,14 +143,16 @@ ui::Snapshot Workstation::snapshot() const {
     shown.dialog = dialog_;
     shown.preferences = preferences_.preferences;
     shown.recent = recent_shown_;
-    if (const LiveTurn* turn = live()) turn->show_in(shown);
+    if (const LiveTurn* turn = live()) {
+        turn->show_in(shown);
+        environment_.show_in(shown, turn->cell_options());
+    }
     if (const auto* recorded = std::get_if<std::unique_ptr<RecordedTurn>>(&turn_)) {
         (*recorded)->show_in(shown);
     }
     shown.residuals_wanted = residuals_.wanted();
     residuals_.attach(shown.captures);
     desk_.show_in(shown);
-    environment_.show_in(shown);
     if (const auto job = jobs_.shown()) {
         shown.job = ui::ShownJob{job->name, job->part, job->elapsed_s, true};
     }
@@ -190,6 +205,7 @@ void Workstation::close_turn() {
 }
 
 void Workstation::begin(const ui::SessionWish& wish) {
+    if (asks_to_stop_first()) return;
     TurnRunOptions options;
     options.cell = cell_options_of(wish);
     options.out = wish.folder.empty() ? new_session_folder(settings_.files.sessions,
@@ -200,9 +216,11 @@ void Workstation::begin(const ui::SessionWish& wish) {
 }
 
 void Workstation::resume(const fs::path& folder) {
+    if (asks_to_stop_first()) return;
     TurnRunOptions options;
     options.out = folder;
     options.resume = true;
+    options.in_its_mode = true;
     open_live(std::move(options), "Resuming the session");
 }
 
@@ -233,6 +251,7 @@ void Workstation::open_live(TurnRunOptions options, const std::string& job) {
 }
 
 void Workstation::open(const fs::path& path) {
+    if (asks_to_stop_first()) return;
     close_turn();
     dialog_ = ui::Dialog::kNone;
     const unsigned threads = settings_.threads;
@@ -279,6 +298,11 @@ void Workstation::give(const Command& command) {
               "A recording is only looked at. Open a cell to go on.");
         return;
     }
+    const auto refuse = [&](const std::string& why) {
+        toast(LogLevel::kWarning, "toast.refused", fmt::format("Not now: {}", word(command)), why);
+        log(LogLevel::kWarning, "RUN-011", fmt::format("{}: {}", word(command), why));
+    };
+    if (const auto why = why_not_held(turn->state(), command, held_)) return refuse(*why);
     auto reply = turn->submit(command);
     if (!reply) {
         fail("The session cannot be written any more", reply.error(),
@@ -288,21 +312,23 @@ void Workstation::give(const Command& command) {
     }
     // Stop is never greyed: where nothing is going on there is nothing to tell.
     if (*reply && std::holds_alternative<command::Stop>(command)) return;
-    if (*reply) {
-        toast(LogLevel::kWarning, "toast.refused", fmt::format("Not now: {}", word(command)),
-              **reply);
-        log(LogLevel::kWarning, "RUN-011", fmt::format("{}: {}", word(command), **reply));
-        return;
-    }
+    if (*reply) return refuse(**reply);
     selected_row_.reset();
     refresh_filter();
 }
 
 void Workstation::hold(bool held) {
+    held_ = held;
     LiveTurn* turn = live();
-    if (turn == nullptr || held || turn->state().plan.mode != MotionMode::kLive) return;
-    if (!moving(turn->state()) || turn->state().running) return;
-    give(command::Stop{});
+    if (turn == nullptr) return;
+    const auto asked = held ? begun_by_holding(turn->state()) : asked_by_letting_go(turn->state());
+    if (asked) give(*asked);
+}
+
+bool Workstation::asks_to_stop_first() {
+    if (!busy()) return false;
+    dialog_ = ui::Dialog::kClose;
+    return true;
 }
 
 void Workstation::refresh_recent() {
@@ -352,7 +378,9 @@ void Workstation::recognise(std::optional<int> capture) {
     request.capture = capture;
     request.session = shown.session->folder;
     request.T_robot_camera = shown.cell.T_robot_camera;
-    request.environment = environment_.model();
+    if (const LiveTurn* turn = live()) {
+        request.environment = environment_.model(turn->cell_options());
+    }
     request.region = shown.cell.region;
     const auto used = shown.procedure->data.used();
     if (!used.empty()) {

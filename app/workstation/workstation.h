@@ -78,6 +78,8 @@ class Workstation {
     void close_turn();
     void give(const Command& command);
     void hold(bool held);
+    /// Another session may not push a running one aside: the question whether to stop it comes up.
+    bool asks_to_stop_first();
     void export_as(const ui::ExportWish& wish);
     void refresh_filter();
     void recognise(std::optional<int> capture);
@@ -113,6 +115,7 @@ class Workstation {
     EnvironmentDesk environment_;
     std::string last_export_;
     WindowWish wish_;
+    bool held_ = false;  ///< `Hold to move`
     double now_s_ = 0.0;
     JobList jobs_;  // last: its threads use all of the above
 };

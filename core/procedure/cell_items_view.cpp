@@ -39,9 +39,12 @@ CellCheckItem depth_item(const CellFacts& facts, const CellLimits& limits) {
 std::vector<CellCheckItem> image_items(const CellFacts& facts, const CellLimits& limits) {
     if (!facts.image) {
         const std::string& why = facts.image.error();
+        // Without a look at the region nothing about the turn is known: that is no pass.
+        CellCheckItem surface = skipped("surface", "points", why);
+        surface.outcome = CheckOutcome::kFailed;
+        surface.sentence += "; set the region and let both cameras see it, then check again";
         return {skipped("exposure", "%", why), skipped("brightness", "levels", why),
-                skipped("texture", "levels", why), skipped("fill", "%", why),
-                skipped("surface", "points", why)};
+                skipped("texture", "levels", why), skipped("fill", "%", why), surface};
     }
     const ImageFacts& image = *facts.image;
     return {

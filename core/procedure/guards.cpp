@@ -1,9 +1,17 @@
 // When a command makes sense: what greys a button, and what step() answers to a command that does
 // not.
+#include "core/procedure/journal_codec.h"
 #include "core/procedure/step.h"
+#include "core/robot/speed_limits.h"
 
 namespace gripscan {
 namespace {
+
+/// As their journals would tell: every member but the speed.
+bool same_but_speed(const TurnPlan& a, TurnPlan b) {
+    b.speed_percent = a.speed_percent;
+    return encode(a).fields == encode(b).fields;
+}
 
 using Why = std::optional<std::string>;
 
@@ -19,8 +27,9 @@ Why problem_of(const TurnPlan& now, const TurnPlan& plan) {
                            deg_from_rad(plan.step_rad), deg_from_rad(plan.least_step_rad),
                            deg_from_rad(kLargestStep_rad));
     }
-    if (!(plan.speed_percent > 0.0 && plan.speed_percent <= 100.0)) {
-        return fmt::format("a speed of {} % is not within 0 to 100 %", plan.speed_percent);
+    if (!(plan.speed_percent >= kLeastSpeed_percent && plan.speed_percent <= kMostSpeed_percent)) {
+        return fmt::format("a speed of {} % is not within {} to {} %", plan.speed_percent,
+                           kLeastSpeed_percent, kMostSpeed_percent);
     }
     const TurnLimits& l = plan.limits;
     const bool limits = l.angle_rad > 0.0 && l.sigmas > 0.0 && l.overlap > 0.0 &&
@@ -205,7 +214,7 @@ struct Guard {
         if (in<phase::Busy>() || in<phase::Halting>()) {
             return "something is going on: stop it or wait";
         }
-        if (!s.data.captures.empty()) {
+        if (!s.data.captures.empty() && !same_but_speed(s.plan, c.plan)) {
             return "the turn has begun: its views are judged by the limits it began with";
         }
         return problem_of(s.plan, c.plan);

@@ -185,6 +185,11 @@ struct TakeCommand {
     }
 
     void operator()(const command::SetPlan& c) const {
+        draft.effects.emplace_back(effect::SavePlan{});
+        if (!s.data.captures.empty()) {  // only the speed is another
+            s.plan.speed_percent = c.plan.speed_percent;
+            return;
+        }
         s.plan = c.plan;
         s.data.step_rad = c.plan.step_rad;
         // Range and duration were measured for the plan before.
@@ -192,7 +197,6 @@ struct TakeCommand {
         s.cell_note.clear();
         s.undo.clear();
         s.redo.clear();
-        draft.effects.emplace_back(effect::SavePlan{});
     }
 
     void operator()(const command::Finish&) const { draft.begin(activity::Solving{}); }

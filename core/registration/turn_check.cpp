@@ -142,6 +142,25 @@ void say_locked(TurnStep& step, const StepEvidence& evidence) {
         deg_from_rad(step.icp_rad.value_or(0.0)), evidence.misfit.value_or(0.0), kMostMisfit);
 }
 
+/// The joints did not do what a step is: nothing that was measured makes up for that.
+bool is_void(TurnStep& step, const StepEvidence& evidence) {
+    if (evidence.other_joints_moved_rad > kJointStill_rad) {
+        step.cause = Cause::kWrongJoint;
+        step.sentence = fmt::format("another joint moved by {:.3f} deg, limit {:.3f} deg",
+                                    deg_from_rad(evidence.other_joints_moved_rad),
+                                    deg_from_rad(kJointStill_rad));
+    } else if (evidence.joint6_moved_rad > kJointStill_rad) {
+        step.cause = Cause::kSettle;
+        step.sentence =
+            fmt::format("joint 6 moved by {:.3f} deg during the exposure, limit {:.3f} deg",
+                        deg_from_rad(evidence.joint6_moved_rad), deg_from_rad(kJointStill_rad));
+    } else {
+        return false;
+    }
+    step.verdict = Verdict::kReject;
+    return true;
+}
+
 }  // namespace
 
 double angle_limit_rad(const TurnStep& step, const TurnLimits& limits) {
@@ -155,7 +174,7 @@ bool step_too_large(const StepEvidence& evidence, const TurnLimits& limits) {
 
 void judge_step(TurnStep& step, const StepEvidence& evidence, const TurnLimits& limits) {
     step.cause = Cause::kNone;
-    if (not_usable(step, evidence, limits)) return;
+    if (is_void(step, evidence) || not_usable(step, evidence, limits)) return;
     const std::array<Criterion, 5> criteria{
         angle_criterion(step, evidence, limits), overlap_criterion(step, limits),
         slip_criterion(step, limits), tilt_criterion(step, limits), misfit_criterion(evidence)};
@@ -178,19 +197,10 @@ void judge_step(TurnStep& step, const StepEvidence& evidence, const TurnLimits& 
     step.verdict = worst.excess < kCheckFactor ? Verdict::kCheck : Verdict::kReject;
     step.cause = worst.cause;
     step.sentence = worst.sentence;
-    // Low overlap explains a wrong angle, tilt or slip; the joints explain all of them.
+    // Low overlap explains a wrong angle, tilt or slip.
     if (criteria[1].excess > 1.0) {
         step.cause = Cause::kOverlap;
         step.sentence = criteria[1].sentence;
-    }
-    if (evidence.other_joints_moved_rad > kJointStill_rad) {
-        step.cause = Cause::kWrongJoint;
-        step.sentence = fmt::format("another joint moved by {:.3f} deg; {}",
-                                    deg_from_rad(evidence.other_joints_moved_rad), worst.sentence);
-    } else if (evidence.joint6_moved_rad > kJointStill_rad) {
-        step.cause = Cause::kSettle;
-        step.sentence = fmt::format("joint 6 moved by {:.3f} deg during the exposure; {}",
-                                    deg_from_rad(evidence.joint6_moved_rad), worst.sentence);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/robot/gsp_message.h"
+#include "core/robot/speed_limits.h"
 
 namespace gripscan::gsp {
 
@@ -17,7 +18,7 @@ struct GspSettings {
     std::string model = "LRMate200iC/5L";  ///< as HELLO tells it; empty: any of six axes
 
     double max_step_deg = 45.0;  ///< from where joint 6 stands
-    double max_speed_percent = 30.0;
+    double max_speed_percent = kMostSpeed_percent;
     double joint6_speed_deg_s = 720.0;   ///< at 100 %
     double target_tolerance_deg = 0.05;  ///< of joint 6
     double other_joint_tolerance_deg = 0.02;

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "core/robot/line_framer.h"
 #include "core/concurrency/tcp_connection.h"
+#include "core/robot/line_framer.h"
 
 namespace gripscan {
 

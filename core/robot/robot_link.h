@@ -45,17 +45,17 @@ struct ControllerState {
 
 /// What kind of trouble, so that a caller knows what may be done next.
 enum class RobotFault {
-    kUnreachable,   ///< nobody answers, or it is no robot of this dialect
-    kLost,          ///< the link went in mid-exchange: whether the joint moves is unknown
-    kTimeout,       ///< no answer in time: whether the joint moves is unknown
-    kProtocol,      ///< what came makes no sense in this dialect
-    kRefused,       ///< not in AUTO, servo off, emergency stop, fault, pendant enabled, busy
-    kOutOfRange,    ///< target, step or speed beyond a limit: nothing moved
-    kStaleId,       ///< a command id that the controller has passed: `last_id` tells it
-    kStopped,       ///< the motion ended because it was told to
-    kOffTarget,     ///< the motion ended somewhere else, or took too long
-    kOtherJoint,    ///< joints 1 … 5 are not where they were: what the turn was for is void
-    kInternal,      ///< the controller's own failure
+    kUnreachable,  ///< nobody answers, or it is no robot of this dialect
+    kLost,         ///< the link went in mid-exchange: whether the joint moves is unknown
+    kTimeout,      ///< no answer in time: whether the joint moves is unknown
+    kProtocol,     ///< what came makes no sense in this dialect
+    kRefused,      ///< not in AUTO, servo off, emergency stop, fault, pendant enabled, busy
+    kOutOfRange,   ///< target, step or speed beyond a limit: nothing moved
+    kStaleId,      ///< a command id that the controller has passed: `last_id` tells it
+    kStopped,      ///< the motion ended because it was told to
+    kOffTarget,    ///< the motion ended somewhere else, or took too long
+    kOtherJoint,   ///< joints 1 … 5 are not where they were: what the turn was for is void
+    kInternal,     ///< the controller's own failure
 };
 /// "unreachable", "lost", "out_of_range", …: for the journal.
 [[nodiscard]] std::string_view word(RobotFault fault);

@@ -5,6 +5,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/number_text.h"
+#include "core/robot/speed_limits.h"
 #include "core/session/alignment_file.h"
 #include "core/session/yaml_parts.h"
 
@@ -39,8 +40,10 @@ std::optional<CellRobot> read_robot(StrictYaml& yaml) {
     robot.port = port.value_or(robot.port);
     robot.monitor_port = read_port(*map, "monitor_port").value_or(robot.port + 1);
     robot.speed_percent = map->number("speed_percent").value_or(robot.speed_percent);
-    if (robot.speed_percent <= 0 || robot.speed_percent > 100) {
-        map->fail("speed_percent", "must be above 0 and at most 100");
+    if (!(robot.speed_percent >= kLeastSpeed_percent &&
+          robot.speed_percent <= kMostSpeed_percent)) {
+        map->fail("speed_percent",
+                  fmt::format("must lie in {} to {}", kLeastSpeed_percent, kMostSpeed_percent));
     }
     const double settle_ms = map->number("settle_ms").value_or(robot.settle_s * kMsPerS);
     if (settle_ms < 0 || settle_ms > 60e3) map->fail("settle_ms", "must lie in 0 to 60000");

@@ -41,8 +41,8 @@ const std::string& undisturbed_template() {
 TEST(Resume, AKilledRunEndsWithTheTemplateOfAnUndisturbedOne) {
     const TemporaryFolder folder;
     const fs::path session = folder / "s";
-    const auto killed = kill_program(
-        turn(session), [&] { return fs::exists(session / "frames/005_left.png"); });
+    const auto killed =
+        kill_program(turn(session), [&] { return fs::exists(session / "frames/005_left.png"); });
     ASSERT_EQ(killed.status, 128 + 9);
     EXPECT_FALSE(fs::exists(session / "results"));
     const auto resumed = run_program({"run", "gripper", "--resume", "--out", session.string()});
@@ -69,14 +69,42 @@ TEST(Resume, TheCellMayLiveOnInItsOwnProcess) {
                 kill_program(turn(session, {"--cell", cell.string(), "--live"}),
                              [&] { return fs::exists(session / "frames/003_right.png"); });
             EXPECT_EQ(killed.status, 128 + 9);
-            const auto resumed =
-                run_program({"run", "gripper", "--resume", "--out", session.string()});
+            // What moves an arm is asked for again; what it began with is not changed.
+            const auto resume_with = [&](std::vector<std::string> more) {
+                more.insert(more.begin(),
+                            {"run", "gripper", "--resume", "--out", session.string()});
+                return run_program(more);
+            };
+            const auto unasked = resume_with({});
+            EXPECT_EQ(unasked.status, 2);
+            EXPECT_THAT(unasked.err, HasSubstr("--live"));
+            EXPECT_EQ(resume_with({"--live", "--manual"}).status, 2);
+            EXPECT_EQ(resume_with({"--live", "--step-deg", "20"}).status, 2);
+            const auto resumed = resume_with({"--live"});
             EXPECT_EQ(resumed.status, 0) << resumed.err;
             EXPECT_THAT(resumed.err, HasSubstr("LIVE"));
+            // And a session of the simulated cell never goes on in a real one.
+            const auto other = turn(folder / "sim");
+            const auto cut = kill_program(
+                other, [&] { return fs::exists(folder / "sim/frames/000_right.png"); });
+            EXPECT_EQ(cut.status, 128 + 9);
+            const auto real = run_program({"run", "gripper", "--resume", "--out",
+                                           (folder / "sim").string(), "--cell", cell.string()});
+            EXPECT_EQ(real.status, 2);
+            EXPECT_THAT(real.err, HasSubstr("simulated cell"));
             return true;
         });
     EXPECT_EQ(served.status, 0) << served.err;
     EXPECT_EQ(read_text(session / "results/template.pcd"), undisturbed_template());
+}
+
+TEST(Resume, NothingBeginsWhereThereIsNoSession) {
+    const TemporaryFolder folder;
+    const auto resumed =
+        run_program({"run", "gripper", "--resume", "--out", (folder / "mistyped").string()});
+    EXPECT_EQ(resumed.status, 2);
+    EXPECT_THAT(resumed.err, HasSubstr("no session at"));
+    EXPECT_FALSE(fs::exists(folder / "mistyped"));
 }
 
 TEST(Resume, ASecondProcessOnTheSameSessionIsRefused) {
@@ -99,8 +127,7 @@ TEST(DryRun, WritesTheMotionsDownAndMovesNothing) {
     (void)interrupt_program(
         {"simcell", "--port", "0", "--cell-out", (folder / "cell").string()}, [&] {
             if (!fs::exists(cell)) return false;
-            const auto dry = run_program(
-                turn(folder / "s", {"--cell", cell.string(), "--json"}));
+            const auto dry = run_program(turn(folder / "s", {"--cell", cell.string(), "--json"}));
             EXPECT_EQ(dry.status, 0) << dry.err;
             const auto json = dry.json();
             EXPECT_EQ(json["format"], "gripscan-rehearsal/1");
@@ -110,8 +137,8 @@ TEST(DryRun, WritesTheMotionsDownAndMovesNothing) {
             EXPECT_TRUE(file);
             if (!file) return true;
             const auto check = run_program(
-                {"robot-check", "127.0.0.1:" + std::to_string(file->robot->port),
-                 "--monitor-port", std::to_string(file->robot->monitor_port), "--json"});
+                {"robot-check", "127.0.0.1:" + std::to_string(file->robot->port), "--monitor-port",
+                 std::to_string(file->robot->monitor_port), "--json"});
             EXPECT_EQ(check.status, 0) << check.out;
             EXPECT_FALSE(fs::exists(folder / "s/frames/000_left.png"));
             return true;
@@ -121,9 +148,8 @@ TEST(DryRun, WritesTheMotionsDownAndMovesNothing) {
 TEST(LiveRun, NobodyThereIsADeviceError) {
     const TemporaryFolder folder;
     const fs::path cell = folder / "cell/cell.yaml";
-    (void)interrupt_program(
-        {"simcell", "--port", "0", "--cell-out", (folder / "cell").string()},
-        [&] { return fs::exists(cell); });
+    (void)interrupt_program({"simcell", "--port", "0", "--cell-out", (folder / "cell").string()},
+                            [&] { return fs::exists(cell); });
     const auto gone = run_program(turn(folder / "s", {"--cell", cell.string(), "--live"}));
     EXPECT_EQ(gone.status, 3) << gone.err;
     EXPECT_FALSE(gone.err.empty());

@@ -66,6 +66,11 @@ for seed in "${seeds[@]}"; do
         total=$((total + 1))
         read -r deg mm <<<"$(measured "$session") "
         merged="nothing merged"
+        if [[ -z $deg && -s $session/results/template.pcd ]]; then
+            echo "$name $seed: its template cannot be compared with the truth:" >&2
+            cat "$session.truth.err" >&2
+            exit 2
+        fi
         if [[ -n $deg ]]; then
             words=$(on_robots_word "$session")
             merged="merged views right"

@@ -86,7 +86,10 @@ for i in $(seq "$runs"); do
         wait "$pid" 2>/dev/null || true
         views=$(ls "$session/frames" 2>/dev/null | grep -c left || true)
         status=0
-        "${call[@]}" --resume >"$session.resumed" 2>&1 || status=$?
+        # Killed before it had a folder there is nothing to resume.
+        resume=(--resume)
+        [[ -e $session ]] || resume=()
+        "${call[@]}" "${resume[@]}" >"$session.resumed" 2>&1 || status=$?
         verdict=same
         cmp -s "$out/undisturbed/results/template.pcd" "$session/results/template.pcd" ||
             verdict=DIFFERENT

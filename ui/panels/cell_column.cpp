@@ -196,7 +196,10 @@ void draw_limits(Column& c) {
     }
     const TurnPlan plan = c.snapshot.procedure != nullptr ? c.snapshot.procedure->plan : TurnPlan{};
     const auto fields = plan_fields(plan);
-    for (std::size_t i = 0; i < fields.size(); ++i) draw_field(c, plan, i, fields[i], why);
+    const std::string why_speed = why_speed_is_fixed(c.snapshot);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        draw_field(c, plan, i, fields[i], i == kSpeedField ? why_speed : why);
+    }
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 
 namespace gripscan::ui {
 
-void take_keys(const Snapshot& snapshot, Requests& out) {
-    if (snapshot.dialog != Dialog::kNone) return;
+void take_keys(const Snapshot& snapshot, bool escape_taken, Requests& out) {
     for (const std::string& key : command_keys()) {
+        if (escape_taken && key == "Esc") continue;
         // A control of a page that has been left has nothing to say any more.
         const bool belongs_to_control = key == "Space" && ImGui::GetIO().NavVisible &&
                                         ImGui::GetFocusID() != 0 && GImGui->NavIdIsAlive;

@@ -153,6 +153,7 @@ void draw_screen(const Ui& ui, int width_px, int height_px, const Snapshot& snap
                  ScreenParts& parts, Requests& out) {
     const WindowLayout layout = layout_window(width_px, height_px, state.splits, ui.scale);
     const Screen screen{ui, snapshot, layout, last_frame_ms, state, parts, out};
+    const bool measuring = state.view3d.measuring.on;
     draw_top_bar(ui, layout.top_bar, snapshot, out);
     switch (snapshot.page) {
         case Page::kStart:
@@ -173,7 +174,7 @@ void draw_screen(const Ui& ui, int width_px, int height_px, const Snapshot& snap
             break;
     }
     draw_status_bar(ui, layout.status_bar, snapshot, layout.detail, state.view3d.cursor, out);
-    take_keys(snapshot, out);
+    take_keys(snapshot, measuring && !state.view3d.measuring.on, out);
     screen.dialog({0, 0, width_px, height_px});
     state.last_dialog = snapshot.dialog;
     draw_caption(ui, layout, caption);

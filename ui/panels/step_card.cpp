@@ -117,17 +117,17 @@ struct Card {
         if (clicked == 0U && running) out.push_back(pause.request(snapshot));
     }
 
-    /// LIVE: motion is allowed only while this is held.
+    /// LIVE: by hand, motion is allowed only while this is held.
     void hold(const Rect& rect) const {
         const double part = local.holding ? (ui.time_s - local.holding_since_s) / kHoldFill_s : 0.0;
-        const bool held =
-            button(ui, rect,
-                   {.id = "live.hold",
-                    .label = "Hold to move",
-                    .look = ButtonLook::kHold,
-                    .tooltip = "The arm moves only while this is held. Not a safety function",
-                    .held_part = static_cast<float>(std::clamp(part, 0.0, 1.0))})
-                .held;
+        const bool held = button(ui, rect,
+                                 {.id = "live.hold",
+                                  .label = "Hold to move",
+                                  .look = ButtonLook::kHold,
+                                  .tooltip = "Holding it begins the next motion, letting go stops "
+                                             "it. Not a safety function",
+                                  .held_part = static_cast<float>(std::clamp(part, 0.0, 1.0))})
+                              .held;
         if (held == local.holding) return;
         local.holding = held;
         local.holding_since_s = ui.time_s;

@@ -88,7 +88,7 @@ Why without_steps(const Snapshot& s) {
 }
 Why without_template(const Snapshot& s) {
     if (auto why = without_session(s)) return why;
-    if (!s.solved) return "there is no template yet: finish the turn first";
+    if (!s.solved) return "it is made when the turn is solved: finish the turn first";
     return std::nullopt;
 }
 
@@ -180,11 +180,11 @@ const std::array kActions{
     Action{"table.copy", "Copy Table 1", "Ctrl+C", "Every column in full precision", kResults,
            copy_table, without_steps},
     Action{"table.csv", "Save Table 1", "Ctrl+S", "As CSV, beside the results", kResults,
-           plain<request::SaveTable>, without_steps},
+           plain<request::SaveTable>, without_template},
     Action{"window.export", "Export the template", "Ctrl+E", "As point cloud, read back after it",
            kResults, show<Dialog::kExport>, without_template},
     Action{"window.report", "Report", "Ctrl+R", "One page for the hand-over", kResults,
-           plain<request::SaveReport>, without_steps},
+           plain<request::SaveReport>, without_template},
     Action{"recognise.now", "Capture and recognise", "Ctrl+Enter",
            "Take one view here and now and find the library's templates in it", kResults,
            plain<request::Recognise>, refuse_recognise},
@@ -344,9 +344,23 @@ const Action* owner_of(std::string_view key, const WindowPreferences& preference
     return nullptr;
 }
 
+namespace {
+
+/// Commands to the procedure have their keys where their buttons are; Stop has it everywhere.
+bool has_key_on(Page page, const Action& a) {
+    if (!a.name.starts_with("step.") || a.name == "step.stop" || page == Page::kProcedure) {
+        return true;
+    }
+    return page == Page::kCell && a.name == "step.check_cell";
+}
+
+}  // namespace
+
 Requests requests_for_key(std::string_view key, const Snapshot& s) {
     const Action* wanted = key == "Space" ? next_action(s) : owner_of(key, s.preferences);
-    if (wanted == nullptr || wanted->refusal(s)) return {};
+    if (wanted == nullptr || !has_key_on(s.page, *wanted) || wanted->refusal(s)) return {};
+    // Over a dialog, too, the arm can be stopped; everything else waits for its answer.
+    if (s.dialog != Dialog::kNone && wanted->name != "step.stop") return {};
     return {wanted->request(s)};
 }
 

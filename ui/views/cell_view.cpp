@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/robot/speed_limits.h"
 
 namespace gripscan::ui {
 namespace {
@@ -41,7 +42,7 @@ std::array<PlanField, kPlanFields> plan_fields(const TurnPlan& plan) {
          {"plan.slip", "Shift along the axis", "mm", 2, 0.05, 10.0},
          {"plan.tilt", "Tilt of the axis", "deg", 2, 0.05, 20.0},
          {"plan.step", "Step", "deg", 1, 1.0, 90.0},
-         {"plan.speed", "Speed", "%", 0, 1.0, 100.0}}};
+         {"plan.speed", "Speed", "%", 0, kLeastSpeed_percent, kMostSpeed_percent}}};
     const auto values = numbers_of(plan);
     const auto standards = numbers_of(TurnPlan{});
     for (std::size_t i = 0; i < kPlanFields; ++i) {
@@ -71,7 +72,7 @@ TurnPlan with_plan_field(TurnPlan plan, std::size_t field, double value) {
         case 5:
             plan.step_rad = rad_from_deg(value);
             break;
-        case 6:
+        case kSpeedField:
             plan.speed_percent = value;
             break;
         default:
@@ -80,19 +81,24 @@ TurnPlan with_plan_field(TurnPlan plan, std::size_t field, double value) {
     return plan;
 }
 
-std::string why_plan_is_fixed(const Snapshot& snapshot) {
+std::string why_speed_is_fixed(const Snapshot& snapshot) {
     if (snapshot.procedure == nullptr) return "No session is open.";
     if (snapshot.session && snapshot.session->recorded) {
         return "A recording is only looked at: it keeps the limits it was judged by.";
-    }
-    if (!snapshot.procedure->data.captures.empty()) {
-        return "The first view is taken: every step of a turn is judged by the same limits.";
     }
     if (std::holds_alternative<phase::Busy>(snapshot.procedure->phase) ||
         snapshot.procedure->running) {
         return "Something is going on.";
     }
     return {};
+}
+
+std::string why_plan_is_fixed(const Snapshot& snapshot) {
+    if (snapshot.procedure != nullptr && !(snapshot.session && snapshot.session->recorded) &&
+        !snapshot.procedure->data.captures.empty()) {
+        return "The first view is taken: every step of a turn is judged by the same limits.";
+    }
+    return why_speed_is_fixed(snapshot);
 }
 
 LinkText link_text(const ProcedureState* state) {

@@ -31,6 +31,10 @@ inline constexpr std::size_t kPlanFields = 7;
 [[nodiscard]] TurnPlan with_plan_field(TurnPlan plan, std::size_t field, double value);
 /// Why they cannot be changed any more; empty: they can.
 [[nodiscard]] std::string why_plan_is_fixed(const Snapshot& snapshot);
+/// The speed of joint 6 may change between the steps of a turn.
+[[nodiscard]] std::string why_speed_is_fixed(const Snapshot& snapshot);
+/// Its place among the fields of the plan.
+constexpr std::size_t kSpeedField = 6;
 
 /// "connected", "not connected", with the reason where there is one.
 struct LinkText {

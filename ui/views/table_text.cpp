@@ -209,11 +209,20 @@ std::optional<RowText> coming_row(const ProcedureState& state, int next, TableVi
     return row;
 }
 
+/// The last step is refused, and what becomes of it is not decided: it is part of no sum.
+bool last_is_refused(const ProcedureState& state) {
+    if (!std::holds_alternative<phase::Deciding>(state.phase)) return false;
+    const auto steps = table_of(state);
+    return !steps.empty() && steps.back().row.verdict == Verdict::kReject;
+}
+
+auto sum_of(auto&& table) {
+    return std::ranges::find(table.rows, Table1RowKind::kSum, &Table1Row::kind);
+}
+
 RowText sum_row(const Table1& table, const Snapshot& s, TableView view) {
     const auto [columns, sources] = layout_of(view);
-    const Table1Row& sums = *std::find_if(table.rows.begin(), table.rows.end(), [](const auto& r) {
-        return r.kind == Table1RowKind::kSum;
-    });
+    const Table1Row& sums = *sum_of(table);
     RowText row;
     for (const Source& source : sources) row.cells.push_back(cell_of(table, sums, source));
     row.cells[0] = {"Sum", Emphasis::kStrong};
@@ -226,7 +235,8 @@ RowText sum_row(const Table1& table, const Snapshot& s, TableView view) {
     const ProcedureState& state = *s.procedure;
     const DialText dial = dial_of(s);
     row.cells[at.decision] = {
-        fmt::format("{} of {}, {}° to go", table_of(state).size(), steps_planned(state),
+        fmt::format("{} of {}, {}° to go",
+                    table_of(state).size() - (last_is_refused(state) ? 1 : 0), steps_planned(state),
                     shown_number(dial.whole_deg - dial.turned_deg, 2)),
         Emphasis::kSecond};
     return row;
@@ -321,7 +331,13 @@ Table1 full_table(const Snapshot& s) {
     for (const CaptureRecord& record : s.procedure->data.captures) {
         captures.rows.push_back(row_of(record));
     }
-    return table1_of(report, captures);
+    Table1 table = table1_of(report, captures);
+    if (last_is_refused(*s.procedure)) {
+        report.steps.pop_back();
+        const Table1 without = table1_of(report, captures);
+        *sum_of(table) = *sum_of(without);
+    }
+    return table;
 }
 
 TableText table_text(const Snapshot& s, TableView view) {

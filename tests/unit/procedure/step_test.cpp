@@ -491,6 +491,26 @@ TEST(Step, ThePlanChangesBeforeTheFirstViewAndThenNoMore) {
     EXPECT_TRUE(refusal(bench.state, command::SetPlan{plan}));
 }
 
+/// The speed is no part of what a view is judged by.
+TEST(Step, TheSpeedMayChangeBetweenTheStepsAndNothingElseIsLostByIt) {
+    Bench bench;
+    bench.first_steps(2);
+    TurnPlan faster = bench.state.plan;
+    faster.speed_percent = 35.0;
+    const Transition changed = step(bench.state, Command(command::SetPlan{faster}));
+    ASSERT_FALSE(changed.refused) << *changed.refused;
+    EXPECT_DOUBLE_EQ(changed.state.plan.speed_percent, 35.0);
+    EXPECT_EQ(changed.state.undo.size(), bench.state.undo.size());
+    EXPECT_EQ(changed.state.cell.has_value(), bench.state.cell.has_value());
+    ASSERT_EQ(changed.effects.size(), 1U);
+    EXPECT_TRUE(std::holds_alternative<effect::SavePlan>(changed.effects[0]));
+    faster.limits.sigmas += 1.0;
+    EXPECT_TRUE(refusal(bench.state, command::SetPlan{faster}));
+    faster.limits.sigmas -= 1.0;
+    faster.speed_percent = 101.0;
+    EXPECT_TRUE(refusal(bench.state, command::SetPlan{faster}));
+}
+
 /// Which commands are taken in which phase; everything else is refused with a reason. Accepting with
 /// a blank note never is.
 TEST(Step, TableOfCommandsAndPhases) {

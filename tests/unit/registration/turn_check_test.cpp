@@ -198,5 +198,21 @@ INSTANTIATE_TEST_SUITE_P(
              "reject", "not_converged", "limit 0.500"}),
     [](const auto& test) { return test.param.name; });
 
+/// However well the surfaces agree: another joint that moved, or a joint that moved while the
+/// picture was taken, is not the step that was asked for.
+TEST(TurnCheck, AStepOfOtherJointsIsVoid) {
+    for (const bool other : {true, false}) {
+        TurnStep step = good_step();
+        StepEvidence evidence = good_evidence();
+        (other ? evidence.other_joints_moved_rad : evidence.joint6_moved_rad) = rad_from_deg(0.019);
+        judge_step(step, evidence, TurnLimits{});
+        EXPECT_EQ(step.verdict, Verdict::kAccept) << step.sentence;
+        (other ? evidence.other_joints_moved_rad : evidence.joint6_moved_rad) = rad_from_deg(0.021);
+        judge_step(step, evidence, TurnLimits{});
+        EXPECT_EQ(step.verdict, Verdict::kReject);
+        EXPECT_EQ(step.cause, other ? Cause::kWrongJoint : Cause::kSettle);
+    }
+}
+
 }  // namespace
 }  // namespace gripscan

@@ -42,7 +42,7 @@ class Screen {
     void draw(const Ui& ui) {
         const WindowLayout at = layout_window(1600, 1000, {}, ui.scale);
         const Snapshot& s = sample_.snapshot;
-        take_keys(s, out_);
+        take_keys(s, false, out_);
         draw_top_bar(ui, at.top_bar, s, out_);
         draw_stage_bar(ui, at.stage_bar, s, at.detail, out_);
         draw_step_card(ui, at.step_card, s, at.detail, card_, out_);
@@ -189,11 +189,13 @@ TEST(TableDock, CopiesAndSaves) {
     const Requests copy = page.click("table.copy");
     ASSERT_EQ(copy.size(), 1U);
     EXPECT_EQ(std::get<request::CopyText>(copy[0]).what, "Table 1");
-    const Requests save = page.click("table.csv");
+    EXPECT_THAT(page.find("table.csv")->reason, testing::HasSubstr("finish the turn first"));
+    Screen finished(sample_finished());
+    const Requests save = finished.click("table.csv");
     ASSERT_EQ(save.size(), 1U);
     EXPECT_TRUE(std::holds_alternative<request::SaveTable>(save[0]));
     Screen empty(sample_empty());
-    EXPECT_EQ(empty.find("table.csv")->reason, "there is no step yet");
+    EXPECT_EQ(empty.find("table.copy")->reason, "there is no step yet");
 }
 
 TEST(TableDock, ItsTabsShowImagesAndAttempts) {

@@ -53,7 +53,7 @@ TEST(Actions, AreRefusedWithTheReasonOfTheProcedure) {
     }
     EXPECT_EQ(action("step.connect").refusal(sample.snapshot), std::nullopt);
     EXPECT_EQ(action("window.export").refusal(sample.snapshot),
-              "there is no template yet: finish the turn first");
+              "it is made when the turn is solved: finish the turn first");
     EXPECT_EQ(action("table.copy").refusal(sample.snapshot), "there is no step yet");
     EXPECT_EQ(action("window.screenshot").refusal(sample.snapshot), std::nullopt);
 }
@@ -127,6 +127,23 @@ TEST(Keys, AskForWhatTheirActionDoes) {
     EXPECT_TRUE(requests_for_key("C", sample.snapshot).empty()) << "there is a view already";
     EXPECT_TRUE(requests_for_key("Ctrl+F17", sample.snapshot).empty());
     EXPECT_TRUE(gives<command::Stop>(requests_for_key("Esc", sample_aligning().snapshot)));
+}
+
+TEST(Keys, CommandWhatThePageShows) {
+    Sample sample = sample_running();
+    for (const Page page : {Page::kTemplate, Page::kCell, Page::kStart}) {
+        sample.snapshot.page = page;
+        EXPECT_TRUE(requests_for_key("Space", sample.snapshot).empty());
+        EXPECT_TRUE(requests_for_key("S", sample.snapshot).empty());
+        EXPECT_TRUE(gives<command::Stop>(requests_for_key("Esc", sample.snapshot)));
+    }
+    sample.snapshot.page = Page::kProcedure;
+    EXPECT_TRUE(gives<command::Step>(requests_for_key("Space", sample.snapshot)));
+    sample.snapshot.dialog = Dialog::kSettings;
+    EXPECT_TRUE(requests_for_key("Space", sample.snapshot).empty());
+    EXPECT_TRUE(requests_for_key("Ctrl+E", sample.snapshot).empty());
+    EXPECT_TRUE(gives<command::Stop>(requests_for_key("Esc", sample.snapshot)))
+        << "over a dialog, too";
 }
 
 TEST(Keys, CanBeChangedAndTheOldOneIsFreeThen) {

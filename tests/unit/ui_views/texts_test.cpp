@@ -204,6 +204,9 @@ TEST(Table, MarksARejectedRowAndWhatWaitsForIt) {
     EXPECT_EQ(table.rows[5].cells[5].bar, 1.0);
     EXPECT_EQ(table.rows[5].cells[7].emphasis, Emphasis::kReject);
     EXPECT_EQ(table.rows[6].cells[15].text, "waits for step 6");
+    // Nothing of it is in the sum while it is not decided: five steps of 10°.
+    EXPECT_EQ(table.last_rows[0].cells[2].text, "50.00");
+    EXPECT_EQ(table.last_rows[0].cells[15].text, "5 of 36, 310.00° to go");
     const TableText aligning = table_text(sample_aligning().snapshot, TableView::kRobotAgainstIcp);
     EXPECT_EQ(aligning.rows.back().cells[15].shape, State::kRunning);
 }
