@@ -335,7 +335,8 @@ std::optional<HeldPose> TurnWorkspace::held_in(std::span<const RecordedCapture> 
         const auto& T_first_k = computed.report.poses[k];
         if (!T_first_k) continue;
         const auto& holder = captures_.at(captures[k].index)->view.holder;
-        if (holder) views.push_back({holder->T_camera_holder, T_first_k->inverse()});
+        if (!holder || !holder->usable()) continue;
+        views.push_back({holder->T_camera_holder, T_first_k->inverse()});
     }
     return held_pose(views, centroid(computed.report.merged));
 }

@@ -52,7 +52,10 @@ void must(const Status& status) {
 class Cell {
   public:
     Cell(const Arguments& a, const std::string& object, const ForEach& for_each)
-        : layout(sim::make_layout(a.seed)), for_each_(for_each) {
+        : layout(sim::make_layout(a.seed)),
+          for_each_(for_each),
+          kept_(fs::path(a.folder) / "views" /
+                fmt::format("{}-{}-{}-{}", a.gripper, object, a.seed, a.fraction)) {
         layout.rig = sim::shrunk(layout.rig, a.fraction);
         sim::SceneContents contents;
         contents.gripper = a.gripper;
@@ -73,11 +76,16 @@ class Cell {
         moment.true_rad = layout.joints_rad;
     }
 
-    /// `number` makes the noise.
+    /// `number` makes the noise. Rendered once; afterwards read from the folder.
     Cloud cloud_at(double turn_rad, int number) {
         moment.true_rad[5] = layout.joints_rad[5] + turn_rad;
-        const auto frame = rectifier_->rectify(camera_->grab({number, 1, 0}).value()).value();
-        return stereo_cloud(frame, rectifier_->rig(), region, {}, {}, for_each_).value().cloud;
+        grabbed_[number] = moment;
+        const fs::path file = kept_ / fmt::format("{:.3f}-{}.pcd", deg_from_rad(turn_rad), number);
+        if (!fs::exists(file)) {
+            fs::create_directories(kept_);
+            must(save_cloud(file, rendered(number)));
+        }
+        return load_cloud(file).value();
     }
     [[nodiscard]] double joint6_rad(double turn_rad) const {
         return layout.joints_rad[5] + turn_rad;
@@ -91,7 +99,7 @@ class Cell {
         f.baseline_m = rig.baseline_m;
         return f;
     }
-    [[nodiscard]] const sim::Moments& grabbed() const { return camera_->grabbed(); }
+    [[nodiscard]] const sim::Moments& grabbed() const { return grabbed_; }
 
     sim::CellLayout layout;
     sim::SceneModel model;
@@ -99,7 +107,14 @@ class Cell {
     sim::Moment moment;
 
   private:
+    [[nodiscard]] Cloud rendered(int number) {
+        const auto frame = rectifier_->rectify(camera_->grab({number, 1, 0}).value()).value();
+        return stereo_cloud(frame, rectifier_->rig(), region, {}, {}, for_each_).value().cloud;
+    }
+
     ForEach for_each_;
+    fs::path kept_;
+    sim::Moments grabbed_;
     std::unique_ptr<sim::SimCamera> camera_;
     std::optional<Rectifier> rectifier_;
 };
@@ -166,11 +181,11 @@ void tell(const SplitView& made, const Cell& cell, const CaptureFacts& facts) {
     const Eigen::Vector3d at = made.split->gripper_cuboid.T_frame_cuboid.translation();
     fmt::print(stderr,
                "capture {}: gripper {:.3f} deg {:.3f} mm off, {:.2f} found {:.2f} hidden {:.2f} "
-               "contradicted, observable {:.2f}; {}: object {} reaching {} scattered {}\n",
+               "contradicted, observable {:.2f}, {}; {}: object {} reaching {} scattered {}\n",
                facts.index, deg_from_rad(rotation_angle_rad(error.linear())),
                kMmPerM * (error * at - at).norm(), g.matched, g.hidden, g.contradicted,
-               g.observability, word(made.split->trimmed_by), made.split->object.size(),
-               made.split->reaching_in, made.split->scattered);
+               g.observability, g.trusted ? "verified" : g.sentence, word(made.split->trimmed_by),
+               made.split->object.size(), made.split->reaching_in, made.split->scattered);
 }
 
 int turn(const Arguments& a, const ForEach& for_each) {

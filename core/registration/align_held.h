@@ -1,0 +1,17 @@
+// Registration of what is held: found as anything is, and once more from how its gripper moved.
+#pragma once
+
+#include "core/registration/align.h"
+#include "core/registration/surface.h"
+
+namespace gripscan {
+
+/// As align_surfaces(). A plain side slides along itself and is seen in part only, so that the
+/// search may come to rest beside the answer; then the motion of the gripper, measured in the same
+/// two pictures, is another start, and the texture decides between the two.
+[[nodiscard]] Result<Alignment> align_held(const Surface& source, const Surface& target,
+                                           const Pose& T_holder_moved,
+                                           const AlignSettings& settings, const Progress& progress,
+                                           const ForEach& for_each);
+
+}  // namespace gripscan
