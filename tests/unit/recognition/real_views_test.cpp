@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/cloud/cloud_file.h"
+#include "core/cloud/filters.h"
 #include "core/concurrency/worker_pool.h"
 #include "core/recognition/exam.h"
 #include "core/recognition/recognise.h"
