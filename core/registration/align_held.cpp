@@ -1,13 +1,14 @@
 #include "core/registration/align_held.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
-#include <vector>
 
 #include "core/base/units.h"
+#include "core/geometry/axis.h"
 #include "core/registration/align_surfaces.h"
-#include "core/registration/texture_rows.h"
+#include "core/registration/quality.h"
+#include "core/registration/texture_difference.h"
 
 namespace gripscan {
 namespace {
@@ -19,8 +20,11 @@ constexpr double kSameTurn_rad = 0.5 * kRadPerDeg;
 constexpr double kNearlyAsMuch = 0.05;
 /// Texture that differs by less than this share says nothing.
 constexpr double kPlainly = 0.95;
-/// Texture is compared where the surfaces meet this closely, in radii of the part.
-constexpr double kGateShare = 0.03;
+/// Texture is compared at this scale: the search leaves some pixels, the noise of one is too fine.
+constexpr int kScale = 1;
+
+/// A turn that is wrong by this, three of the usual limit of a step, has to look different.
+constexpr double kTurnedBeside_rad = 1.5 * kRadPerDeg;
 
 bool same_answer(const Alignment& a, const Alignment& b, const Eigen::Vector3d& centre_m) {
     const double shift_m = (a.T_target_source * centre_m - b.T_target_source * centre_m).norm();
@@ -29,17 +33,53 @@ bool same_answer(const Alignment& a, const Alignment& b, const Eigen::Vector3d& 
     return shift_m < kSameShift_m && turn_rad < kSameTurn_rad;
 }
 
-/// Median difference of the two pictures' patterns at a pose; nothing where they show too little.
-std::optional<double> texture_difference(const Surface& source, const Surface& target,
-                                         const Alignment& at) {
-    const double gate_m = kGateShare * std::max(source.radius_m, target.radius_m);
-    const auto rows = texture_rows(source, target, at.T_target_source, 1, gate_m, at.centre_m);
-    if (rows.empty()) return std::nullopt;
-    std::vector<double> sizes;
-    for (const ResidualRow& row : rows) sizes.push_back(std::abs(row.residual));
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return *middle;
+/// How the gripper moved, by its own surface; nothing where that does not show its turn.
+std::optional<Pose> motion_of_holder(const Holder& source, const Holder& target,
+                                     const AlignSettings& settings) {
+    Alignment moved =
+        finish_alignment(source.surface, target.surface,
+                         target.T_camera_holder * source.T_camera_holder.inverse(), settings);
+    moved.starts_agree = true;  // its template was found in each of the two
+    judge_alone(moved, settings);
+    if (moved.verdict == Verdict::kReject) return std::nullopt;
+    return moved.T_target_source;
+}
+
+/// The line that a motion turns about; only of one that turns.
+Axis turned_about(const Alignment& a) {
+    const Eigen::Vector3d& t = a.T_target_source.translation();
+    const Eigen::Vector3d across = t - a.axis * a.axis.dot(t);
+    return {0.5 * (across + a.axis.cross(across) / std::tan(0.5 * a.angle_rad)), a.axis};
+}
+
+/// The share by which the two pictures' patterns differ less at the answer than turned beside it:
+/// 0 where texture does not show the turn either.
+double observability_by_texture(const Surface& source, const Surface& target,
+                                const Alignment& answer) {
+    const auto here = texture_difference(source, target, answer, kScale);
+    if (!here || answer.angle_rad < kTurnedBeside_rad) return 0.0;
+    const Axis axis = turned_about(answer);
+    double least = std::numeric_limits<double>::infinity();
+    for (const double side : {-1.0, 1.0}) {
+        Alignment beside = answer;
+        beside.T_target_source =
+            turn_about(axis, side * kTurnedBeside_rad) * answer.T_target_source;
+        const auto there = texture_difference(source, target, beside, kScale);
+        if (!there) return 0.0;
+        least = std::min(least, *there);
+    }
+    return least > *here ? 1.0 - *here / least : 0.0;
+}
+
+/// What a round part does not show by its shape it may show by its texture.
+void look_at_texture(const Surface& source, const Surface& target, const AlignSettings& settings,
+                     Alignment& answer) {
+    const bool round = answer.found && answer.observability < kLeastObservability;
+    if (!round || answer.cause != Cause::kSymmetry) return;
+    const double shown = observability_by_texture(source, target, answer);
+    if (shown <= answer.observability) return;
+    answer.observability = shown;
+    judge_alone(answer, settings);
 }
 
 enum class Better { kFree, kHeld, kHeldByTexture };
@@ -47,28 +87,38 @@ enum class Better { kFree, kHeld, kHeldByTexture };
 Better better_of(const Surface& source, const Surface& target, const Alignment& free,
                  const Alignment& held) {
     if (!free.found) return Better::kHeld;
-    const auto of_free = texture_difference(source, target, free);
-    const auto of_held = texture_difference(source, target, held);
+    const auto of_free = texture_difference(source, target, free, kScale);
+    const auto of_held = texture_difference(source, target, held, kScale);
     if (of_free && of_held) {
         return *of_held < kPlainly * *of_free ? Better::kHeldByTexture : Better::kFree;
     }
     return held.overlap > free.overlap - kNearlyAsMuch ? Better::kHeld : Better::kFree;
 }
 
-}  // namespace
-
-Result<Alignment> align_held(const Surface& source, const Surface& target,
-                             const Pose& T_holder_moved, const AlignSettings& settings,
-                             const Progress& progress, const ForEach& for_each) {
-    auto free = align_surfaces(source, target, settings, progress, for_each);
-    if (!free || progress.cancelled()) return free;
-    Alignment held = finish_alignment(source, target, T_holder_moved, settings);
-    if (free->found && same_answer(*free, held, source.centre_m)) return free;
-    const Better better = better_of(source, target, *free, held);
+/// The better of the two answers.
+Alignment chosen(const HeldSurface& source, const HeldSurface& target, const Alignment& free,
+                 const AlignSettings& settings) {
+    const auto T_holder_moved = motion_of_holder(source.holder, target.holder, settings);
+    if (!T_holder_moved) return free;
+    Alignment held = finish_alignment(source.part, target.part, *T_holder_moved, settings);
+    if (free.found && same_answer(free, held, source.part.centre_m)) return free;
+    const Better better = better_of(source.part, target.part, free, held);
     if (better == Better::kFree) return free;
-    held.starts_agree = free->starts_agree || better == Better::kHeldByTexture;
+    held.starts_agree = free.starts_agree || better == Better::kHeldByTexture;
     judge_alone(held, settings);
     return held;
+}
+
+}  // namespace
+
+Result<Alignment> align_held(const HeldSurface& source, const HeldSurface& target,
+                             const AlignSettings& settings, const Progress& progress,
+                             const ForEach& for_each) {
+    const auto free = align_surfaces(source.part, target.part, settings, progress, for_each);
+    if (!free || progress.cancelled()) return free;
+    Alignment answer = chosen(source, target, *free, settings);
+    look_at_texture(source.part, target.part, settings, answer);
+    return answer;
 }
 
 }  // namespace gripscan

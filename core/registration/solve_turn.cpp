@@ -164,9 +164,7 @@ Result<Alignment> align_views(const CaptureFacts& from_facts, const PreparedView
     const auto& a = from.holder;
     const auto& b = to.holder;
     if (a && b && a->usable() && b->usable()) {
-        return align_held(from.surface, to.surface,
-                          b->T_camera_holder * a->T_camera_holder.inverse(), settings.align,
-                          progress, for_each);
+        return align_held({from.surface, *a}, {to.surface, *b}, settings.align, progress, for_each);
     }
     return align_surfaces(from.surface, to.surface, settings.align, progress, for_each);
 }

@@ -160,13 +160,12 @@ GripperTemplate gripper_of(const Arguments& a, const ForEach& for_each) {
     return make_gripper_template(load_cloud(file).value(), axis, joint6_rad).value();
 }
 
-SplitView prepared(const GripperTemplate& gripper, const Arguments& a, Cell& cell,
-                   const CaptureFacts& facts, double turn_rad) {
+SplitView prepared(const GripperTemplate& gripper, const Arguments& a, const Cell& cell,
+                   const CaptureFacts& facts, Cloud scene) {
     ObjectSplitSettings split;
     if (a.trim == "cuboid") split.trim = TrimBy::kCuboid;
     if (a.trim == "surface") split.trim = TrimBy::kSurface;
-    SplitView view =
-        prepare_split_view(gripper, split, facts, cell.cloud_at(turn_rad, facts.index));
+    SplitView view = prepare_split_view(gripper, split, facts, std::move(scene));
     view.view.field = cell.field();
     return view;
 }
@@ -188,20 +187,46 @@ void tell(const SplitView& made, const Cell& cell, const CaptureFacts& facts) {
                made.split->object.size(), made.split->reaching_in, made.split->scattered);
 }
 
+/// Of the poses that the turn ends with, the worst: angle, and the shift of the object's middle.
+void tell_poses(const TurnReport& report, const PreparedTurn& turn, const Cell& cell) {
+    double worst_rad = 0.0;
+    double worst_m = 0.0;
+    std::size_t known = 0;
+    const auto true_pose = [&](std::size_t k) {
+        return sim::T_camera_part(cell.layout, cell.grabbed().at(turn.facts[k].index));
+    };
+    for (std::size_t k = 0; k < report.poses.size(); ++k) {
+        if (!report.poses[k]) continue;
+        ++known;
+        const Pose T_first_true = true_pose(0) * true_pose(k).inverse();
+        const Pose error = *report.poses[k] * T_first_true.inverse();
+        const Eigen::Vector3d at = turn.views[0]->surface.centre_m;
+        worst_rad = std::max(worst_rad, rotation_angle_rad(error.linear()));
+        worst_m = std::max(worst_m, (error * at - at).norm());
+    }
+    fmt::print(stderr, "{} of {} captures posed, worst {:.3f} deg {:.3f} mm; scale {:.5f}\n", known,
+               report.poses.size(), deg_from_rad(worst_rad), kMmPerM * worst_m,
+               report.angle_scale.value_or(1.0));
+}
+
 int turn(const Arguments& a, const ForEach& for_each) {
     const GripperTemplate gripper = gripper_of(a, for_each);
     Cell cell(a, a.object, for_each);
     const TurnSettings settings = settings_of(a, cell);
     PreparedTurn turn;
-    std::vector<SplitView> made;
+    std::vector<Cloud> clouds;
     for (double turn_deg = 0.0; turn_deg <= 360.0; turn_deg += a.step_deg) {
         CaptureFacts facts;
-        facts.index = static_cast<int>(made.size());
+        facts.index = static_cast<int>(clouds.size());
         facts.joint6_rad = cell.joint6_rad(rad_from_deg(turn_deg));
-        made.push_back(prepared(gripper, a, cell, facts, rad_from_deg(turn_deg)));
+        clouds.push_back(cell.cloud_at(rad_from_deg(turn_deg), facts.index));
         turn.facts.push_back(facts);
-        tell(made.back(), cell, facts);
     }
+    std::vector<SplitView> made(clouds.size());
+    for_each(made.size(), [&](std::size_t k) {
+        made[k] = prepared(gripper, a, cell, turn.facts[k], std::move(clouds[k]));
+    });
+    for (std::size_t k = 0; k < made.size(); ++k) tell(made[k], cell, turn.facts[k]);
     for (const SplitView& one : made) turn.views.push_back(&one.view);
     turn.steps.resize(made.size() - 1);
     for_each(turn.steps.size(), [&](std::size_t i) {
@@ -224,6 +249,7 @@ int turn(const Arguments& a, const ForEach& for_each) {
                    deg_from_rad(slip.angle_rad), deg_from_rad(slip.sigma_angle_rad),
                    word(step.verdict), word(step.cause), step.sentence);
     }
+    tell_poses(*report, turn, cell);
     const fs::path truth_folder = fs::path(a.folder) / "truth";
     must(sim::write_truth_files({cell.layout, cell.model, cell.region, cell.grabbed()},
                                 truth_folder, for_each));
@@ -251,7 +277,7 @@ std::string try_step(const Arguments& a, Cell& cell, const GripperTemplate& grip
         cell.moment.T_part_object =
             i == 0 ? Pose::Identity()
                    : cell.model.T_tool_grasp * slip * cell.model.T_tool_grasp.inverse();
-        views[i] = prepared(gripper, a, cell, facts[i], turn_rad);
+        views[i] = prepared(gripper, a, cell, facts[i], cell.cloud_at(turn_rad, facts[i].index));
     }
     const TurnSettings settings = settings_of(a, cell);
     StepFinding finding;
