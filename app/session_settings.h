@@ -1,5 +1,5 @@
-// How the turn of a session is computed: its own limits, the options, the environment that it keeps,
-// and for an object's turn the template of the gripper that holds it.
+// How the turn of a session is computed: its own limits, the options, the environment that it
+// keeps, and for an object's turn the template of the gripper that holds it.
 #pragma once
 
 #include "app/turn_options.h"

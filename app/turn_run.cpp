@@ -8,8 +8,8 @@
 namespace gripscan::app {
 namespace {
 
-/// Begins the session. What it needs from elsewhere is looked at before anything is made: a template
-/// or an environment that cannot be used is the likeliest mistake.
+/// Begins the session. What it needs from elsewhere is looked at before anything is made: a
+/// template or an environment that cannot be used is the likeliest mistake.
 Result<TurnSession> begin(const TurnRunOptions& options, Cell& cell) {
     std::optional<std::string> gripper;
     if (!options.gripper.empty()) {

@@ -51,8 +51,9 @@ class TurnWorkspace {
                                                       const ComputeTurnSettings& settings);
 
     /// Loads the capture's images or cloud: stereo, crop, environment and gripper taken away,
-    /// surface, health. May run for several captures at the same time. Errors: what cannot be loaded
-    /// or matched, images without a rig, an environment that another camera has seen, cancelled.
+    /// surface, health. May run for several captures at the same time. Errors: what cannot be
+    /// loaded or matched, images without a rig, an environment that another camera has seen,
+    /// cancelled.
     [[nodiscard]] Result<PreparedCapture> prepare(const RecordedCapture& capture,
                                                   const Progress& progress,
                                                   const ForEach& for_each) const;

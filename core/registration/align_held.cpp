@@ -1,12 +1,16 @@
 #include "core/registration/align_held.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/base/units.h"
 #include "core/geometry/axis.h"
 #include "core/registration/align_surfaces.h"
+#include "core/registration/fits_as_well.h"
+#include "core/registration/joint_system.h"
 #include "core/registration/quality.h"
 #include "core/registration/texture_difference.h"
 
@@ -16,8 +20,6 @@ namespace {
 /// Poses nearer than this are one answer: both are the same minimum, reached from two sides.
 constexpr double kSameShift_m = 0.0007;
 constexpr double kSameTurn_rad = 0.5 * kRadPerDeg;
-/// Without texture to decide, a start from the gripper's motion may fit less well by this overlap.
-constexpr double kNearlyAsMuch = 0.05;
 /// Texture that differs by less than this share says nothing.
 constexpr double kPlainly = 0.95;
 /// Texture is compared at this scale: the search leaves some pixels, the noise of one is too fine.
@@ -34,15 +36,15 @@ bool same_answer(const Alignment& a, const Alignment& b, const Eigen::Vector3d& 
 }
 
 /// How the gripper moved, by its own surface; nothing where that does not show its turn.
-std::optional<Pose> motion_of_holder(const Holder& source, const Holder& target,
-                                     const AlignSettings& settings) {
+std::optional<Alignment> motion_of_holder(const Holder& source, const Holder& target,
+                                          const AlignSettings& settings) {
     Alignment moved =
         finish_alignment(source.surface, target.surface,
                          target.T_camera_holder * source.T_camera_holder.inverse(), settings);
     moved.starts_agree = true;  // its template was found in each of the two
     judge_alone(moved, settings);
     if (moved.verdict == Verdict::kReject) return std::nullopt;
-    return moved.T_target_source;
+    return moved;
 }
 
 /// The line that a motion turns about; only of one that turns.
@@ -82,31 +84,54 @@ void look_at_texture(const Surface& source, const Surface& target, const AlignSe
     judge_alone(answer, settings);
 }
 
-enum class Better { kFree, kHeld, kHeldByTexture };
-
-Better better_of(const Surface& source, const Surface& target, const Alignment& free,
-                 const Alignment& held) {
-    if (!free.found) return Better::kHeld;
+/// Is the answer that began with the gripper's motion better than the one that was searched?
+bool plainly_better(const Surface& source, const Surface& target, const Alignment& free,
+                    const Alignment& held) {
+    if (!free.found) return true;
     const auto of_free = texture_difference(source, target, free, kScale);
     const auto of_held = texture_difference(source, target, held, kScale);
-    if (of_free && of_held) {
-        return *of_held < kPlainly * *of_free ? Better::kHeldByTexture : Better::kFree;
-    }
-    return held.overlap > free.overlap - kNearlyAsMuch ? Better::kHeld : Better::kFree;
+    return of_free && of_held && *of_held < kPlainly * *of_free;
 }
 
-/// The better of the two answers.
-Alignment chosen(const HeldSurface& source, const HeldSurface& target, const Alignment& free,
-                 const AlignSettings& settings) {
-    const auto T_holder_moved = motion_of_holder(source.holder, target.holder, settings);
-    if (!T_holder_moved) return free;
-    Alignment held = finish_alignment(source.part, target.part, *T_holder_moved, settings);
-    if (free.found && same_answer(free, held, source.part.centre_m)) return free;
-    const Better better = better_of(source.part, target.part, free, held);
-    if (better == Better::kFree) return free;
-    held.starts_agree = free.starts_agree || better == Better::kHeldByTexture;
+/// What the search found or, where the texture is for it, what the gripper's motion leads to.
+Alignment best_answer(const Surface& source, const Surface& target, const Alignment& free,
+                      const Pose& T_holder_moved, const AlignSettings& settings) {
+    Alignment held = finish_alignment(source, target, T_holder_moved, settings);
+    if (free.found && same_answer(free, held, source.centre_m)) return free;
+    if (!plainly_better(source, target, free, held)) return free;
+    held.starts_agree = true;
     judge_alone(held, settings);
     return held;
+}
+
+/// The gripper's motion as the part's. Its covariance holds all that lies between it and the answer
+/// that fits alike.
+Alignment carried(const Surface& source, const Surface& target, const Alignment& moved,
+                  const Alignment& answer, const AlignSettings& settings) {
+    Alignment result = alignment_at(source, target, moved.T_target_source, settings);
+    const Vector6d between =
+        motion_of(answer.T_target_source * moved.T_target_source.inverse(), result.centre_m);
+    result.covariance += between * between.transpose();
+    result.sigma_angle_rad = moved.sigma_angle_rad;
+    result.observability = moved.observability;
+    result.starts_agree = true;
+    judge_alone(result, settings);
+    return result;
+}
+
+/// Where surfaces and patterns fit as well to the gripper's motion: an answer near it is not known
+/// better than by what lies between, and any other is none, since what is held moves with its
+/// gripper unless something speaks against it.
+Alignment compared(const Surface& source, const Surface& target, const Alignment& moved,
+                   Alignment answer, const AlignSettings& settings) {
+    if (!fits_as_well(source, target, answer, moved.T_target_source, settings)) return answer;
+    if (answer.verdict == Verdict::kReject || !same_answer(answer, moved, source.centre_m)) {
+        return carried(source, target, moved, answer, settings);
+    }
+    const Eigen::Matrix3d between =
+        moved.T_target_source.linear().transpose() * answer.T_target_source.linear();
+    answer.sigma_angle_rad = std::max(answer.sigma_angle_rad, rotation_angle_rad(between));
+    return answer;
 }
 
 }  // namespace
@@ -116,9 +141,13 @@ Result<Alignment> align_held(const HeldSurface& source, const HeldSurface& targe
                              const ForEach& for_each) {
     const auto free = align_surfaces(source.part, target.part, settings, progress, for_each);
     if (!free || progress.cancelled()) return free;
-    Alignment answer = chosen(source, target, *free, settings);
+    const auto moved = motion_of_holder(source.holder, target.holder, settings);
+    Alignment answer =
+        moved ? best_answer(source.part, target.part, *free, moved->T_target_source, settings)
+              : *free;
     look_at_texture(source.part, target.part, settings, answer);
-    return answer;
+    if (!moved) return answer;
+    return compared(source.part, target.part, *moved, std::move(answer), settings);
 }
 
 }  // namespace gripscan

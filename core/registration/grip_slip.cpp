@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "core/registration/align_surfaces.h"
-#include "core/registration/texture_difference.h"
-#include "core/registration/texture_rows.h"
+#include "core/registration/fits_as_well.h"
 
 namespace gripscan {
 namespace {
@@ -14,14 +13,6 @@ constexpr double kShareOfSlipLimit = 0.5;
 /// Errors of the surfaces that do not average out, as a share of the turn; the same as of a step.
 constexpr double kSystematicShare = 0.004;
 constexpr double kNoMotion = 1e-12;
-/// The surfaces fit as well at another pose if they miss each other by no more than this factor and
-/// share no less than this of their points: the gripper's own motion is known to a tenth of a
-/// millimetre, under half the noise of a point, which adds a tenth.
-constexpr double kAsClose = 1.15;
-constexpr double kAsMuch = 0.05;
-/// And their patterns, at the coarse scale where that tenth of a millimetre changes little.
-constexpr double kAsAlike = 1.25;
-constexpr int kCoarseTexture = kTextureScales - 1;
 
 Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
     Eigen::Matrix3d m;
@@ -42,18 +33,6 @@ double sigma_along(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& v) 
     if (v.norm() < kNoMotion) return std::sqrt(covariance.trace() / 3.0);
     const Eigen::Vector3d unit = v.normalized();
     return std::sqrt(std::max(0.0, unit.dot(covariance * unit)));
-}
-
-/// Do the part's surface and pattern fit as well where the gripper would have carried it?
-bool fits_as_carried(const Surface& from, const Surface& to, const Alignment& part,
-                     const Pose& T_carried, const AlignSettings& settings) {
-    const Alignment carried = alignment_at(from, to, T_carried, settings);
-    if (carried.misfit > kAsClose * part.misfit || carried.overlap < part.overlap - kAsMuch) {
-        return false;
-    }
-    const auto there = texture_difference(from, to, carried, kCoarseTexture);
-    const auto here = texture_difference(from, to, part, kCoarseTexture);
-    return !here || (there && *there <= kAsAlike * *here);
 }
 
 }  // namespace
@@ -79,9 +58,8 @@ std::optional<GripSlip> measure_grip_slip(const PreparedView& from, const Prepar
     slip.sigma_shift_m = sigma_along(covariance.bottomRightCorner<3, 3>(), shift_m);
     slip.sigma_angle_rad = std::hypot(sigma_along(covariance.topLeftCorner<3, 3>(), turn_rad),
                                       kSystematicShare * part.angle_rad);
-    if (fits_as_carried(from.surface, to.surface, part, T_carried, settings)) {
-        // A difference that the surfaces do not resolve is its own uncertainty: a side that slides
-        // along itself comes to rest further away than its noise foretells.
+    if (fits_as_well(from.surface, to.surface, part, T_carried, settings)) {
+        // A difference that the surfaces do not resolve is its own uncertainty.
         slip.sigma_shift_m = std::max(slip.sigma_shift_m, slip.shift_m);
         slip.sigma_angle_rad = std::max(slip.sigma_angle_rad, slip.angle_rad);
     }

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -42,6 +43,8 @@ struct Arguments {
     unsigned fraction = 1;
     std::string trim = "auto";
     int trials = 20;
+    int first = 0;     ///< capture of the turn
+    int captures = 0;  ///< of the turn; 0: all of it
 };
 
 void must(const Status& status) {
@@ -174,8 +177,10 @@ void tell(const SplitView& made, const Cell& cell, const CaptureFacts& facts) {
     if (!made.split) return fmt::print(stderr, "capture {}: {}\n", facts.index, made.view.flaw);
     const GripperMatch& g = made.split->gripper;
     // Against the truth: both turns begin at the same place.
-    const Pose T_true = sim::T_camera_part(cell.layout, cell.moment) *
-                        sim::T_camera_part(cell.layout, cell.grabbed().begin()->second).inverse();
+    sim::Moment begin;
+    begin.true_rad = cell.layout.joints_rad;
+    const Pose T_true = sim::T_camera_part(cell.layout, cell.grabbed().at(facts.index)) *
+                        sim::T_camera_part(cell.layout, begin).inverse();
     const Pose error = g.T_camera_gripper * T_true.inverse();
     const Eigen::Vector3d at = made.split->gripper_cuboid.T_frame_cuboid.translation();
     fmt::print(stderr,
@@ -215,9 +220,12 @@ int turn(const Arguments& a, const ForEach& for_each) {
     const TurnSettings settings = settings_of(a, cell);
     PreparedTurn turn;
     std::vector<Cloud> clouds;
-    for (double turn_deg = 0.0; turn_deg <= 360.0; turn_deg += a.step_deg) {
+    const int all = 1 + static_cast<int>(std::lround(360.0 / a.step_deg));
+    const int end = a.captures > 0 ? std::min(all, a.first + a.captures) : all;
+    for (int k = a.first; k < end; ++k) {
+        const double turn_deg = k * a.step_deg;
         CaptureFacts facts;
-        facts.index = static_cast<int>(clouds.size());
+        facts.index = k;
         facts.joint6_rad = cell.joint6_rad(rad_from_deg(turn_deg));
         clouds.push_back(cell.cloud_at(rad_from_deg(turn_deg), facts.index));
         turn.facts.push_back(facts);
@@ -340,6 +348,8 @@ int main(int argc, char** argv) {
     app.add_option("--fraction", a.fraction, "of the camera's pixels a side: 1/N");
     app.add_option("--trim", a.trim);
     app.add_option("--trials", a.trials);
+    app.add_option("--first", a.first, "capture of the turn to begin with");
+    app.add_option("--captures", a.captures, "so many of the turn; 0: all");
     CLI11_PARSE(app, argc, argv);
     std::filesystem::create_directories(a.folder);
     WorkerPool pool(threads_wanted());
