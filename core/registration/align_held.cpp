@@ -97,7 +97,14 @@ bool plainly_better(const Surface& source, const Surface& target, const Alignmen
 Alignment best_answer(const Surface& source, const Surface& target, const Alignment& free,
                       const Pose& T_holder_moved, const AlignSettings& settings) {
     Alignment held = finish_alignment(source, target, T_holder_moved, settings);
-    if (free.found && same_answer(free, held, source.centre_m)) return free;
+    if (free.found && same_answer(free, held, source.centre_m)) {
+        if (free.starts_agree) return free;
+        // Of several that fit alike it is the one that the gripper's motion leads to.
+        Alignment chosen = free;
+        chosen.starts_agree = true;
+        judge_alone(chosen, settings);
+        return chosen;
+    }
     if (!plainly_better(source, target, free, held)) return free;
     held.starts_agree = true;
     judge_alone(held, settings);
