@@ -12,6 +12,8 @@ uniform float near_m;
 uniform float far_m;
 uniform float strength;  // 0: no eye-dome lighting
 uniform int rings;       // 1 while moving, 2 in a still picture
+uniform int neighbours;  // on each ring
+uniform vec2 turn;       // cosine and sine of the angle between two of them
 uniform vec2 radius_px;  // of the two rings
 
 // far - d (far - near), which is near * far / z: nearer is larger.
@@ -28,7 +30,8 @@ float nearer_neighbours(ivec2 at, ivec2 last, float here, float radius, int coun
     for (int i = 0; i < count; ++i) {
         ivec2 there = clamp(at + ivec2(round(around)), ivec2(0), last);
         product *= max(1.0, inverse_z(there) / here);
-        around = vec2(around.x - around.y, around.x + around.y) * 0.70710678;
+        around = vec2(turn.x * around.x - turn.y * around.y,
+                      turn.y * around.x + turn.x * around.y);
     }
     return product;
 }
@@ -37,12 +40,13 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec3 background = mix(view_bottom, view_top, uv.y);
     bool is_cloud = texelFetch(cloud_depth, at, 0).r < 1.0;
-    int count = is_cloud && strength > 0.0 ? 8 : 0;
+    int count = is_cloud && strength > 0.0 ? neighbours : 0;
+    float share = 1.0 / float(neighbours);
     ivec2 last = textureSize(cloud_depth, 0) - 1;
     float here = inverse_z(at);
-    float dark = log2(nearer_neighbours(at, last, here, radius_px.x, count)) / 8.0;
+    float dark = log2(nearer_neighbours(at, last, here, radius_px.x, count)) * share;
     if (rings > 1) {
-        float outer = log2(nearer_neighbours(at, last, here, radius_px.y, count)) / 8.0;
+        float outer = log2(nearer_neighbours(at, last, here, radius_px.y, count)) * share;
         dark = 0.6 * dark + 0.4 * outer;
     }
     vec3 colour = texelFetch(cloud_colour, at, 0).rgb * exp(-strength * dark);

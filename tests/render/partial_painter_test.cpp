@@ -6,6 +6,9 @@
 #include "core/base/seeded_random.h"
 #include "tests/support/egl_context.h"
 #include "tests/support/ui_driver.h"
+#include "ui/gl/image_texture.h"
+#include "ui/imgui_compat.h"
+#include "ui/shell/opaque_picture.h"
 #include "ui/widgets/draw.h"
 
 namespace gripscan::test {
@@ -18,6 +21,7 @@ struct Patch {
     ui::Rect rect;
     ImU32 colour;
     bool words;
+    GLuint picture;  ///< 0: a rectangle of that colour instead
 };
 
 /// Rectangles and words, a few of which change from frame to frame.
@@ -25,6 +29,12 @@ void draw(const ui::Ui& ui, const std::vector<Patch>& patches) {
     for (const Patch& p : patches) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 from(static_cast<float>(p.rect.x) + 0.3F, static_cast<float>(p.rect.y) + 0.7F);
+        if (p.picture != 0) {
+            const auto x = static_cast<float>(p.rect.x);
+            const auto y = static_cast<float>(p.rect.y);
+            list.AddImage(ui::imgui_texture(p.picture), {x, y}, {x + 300.0F, y + 230.0F});
+            continue;
+        }
         list.PushClipRect({from.x + 1.6F, from.y}, {from.x + static_cast<float>(p.rect.width),
                                                     from.y + static_cast<float>(p.rect.height)});
         list.AddRectFilled(from, {from.x + 200.0F, from.y + 90.0F}, p.colour, 7.0F);
@@ -36,13 +46,14 @@ void draw(const ui::Ui& ui, const std::vector<Patch>& patches) {
     }
 }
 
-Patch random_patch(SeededRandom& random) {
+Patch random_patch(SeededRandom& random, GLuint picture) {
     const auto below = [&](int n) {
         return static_cast<int>(random.next() % static_cast<unsigned>(n));
     };
     return {{below(kWidth), below(kHeight), 20 + below(200), 10 + below(90)},
             IM_COL32(below(256), below(256), below(256), 60 + below(196)),
-            below(2) == 0};
+            below(2) == 0,
+            below(4) == 0 ? picture : 0};
 }
 
 TEST(PartialPainter, DrawsWhatDrawingAllWouldShow) {
@@ -50,8 +61,12 @@ TEST(PartialPainter, DrawsWhatDrawingAllWouldShow) {
     if (!context) GTEST_SKIP() << "no OpenGL without a screen here";
     for (const std::uint64_t seed : {1, 2, 3}) {
         SeededRandom random(seed);
+        ui::ImageTexture texture;
+        std::vector<std::uint8_t> pixels(64 * 64);
+        for (std::uint8_t& pixel : pixels) pixel = static_cast<std::uint8_t>(random.next());
+        texture.upload_grey(64, 64, pixels.data(), 64);
         std::vector<Patch> patches;
-        for (int i = 0; i < 12; ++i) patches.push_back(random_patch(random));
+        for (int i = 0; i < 12; ++i) patches.push_back(random_patch(random, texture.name()));
         UiDriver driver(
             kWidth, kHeight, [&](const ui::Ui& ui) { draw(ui, patches); }, ui::Scale(),
             ui::ThemeChoice::kDark);
@@ -61,8 +76,13 @@ TEST(PartialPainter, DrawsWhatDrawingAllWouldShow) {
         auto bit_by_bit = ui::RenderTarget::make(kWidth, kHeight, ui::DepthTexture::kNone);
         auto at_once = ui::RenderTarget::make(kWidth, kHeight, ui::DepthTexture::kNone);
         ASSERT_TRUE(bit_by_bit && at_once);
-        ui::Damage damage([](ImTextureID) { return std::uint64_t{0}; });
+        std::uint64_t version = 0;
+        const auto is_texture = [&](ImTextureID id) {
+            return id == ui::imgui_texture(texture.name());
+        };
+        ui::Damage damage([&](ImTextureID id) { return is_texture(id) ? version : 0; }, is_texture);
         std::size_t drawn_px = 0;
+        std::size_t covered = 0;
         constexpr int kFrames = 40;
         for (int frame = 0; frame < kFrames; ++frame) {
             whole.begin_frame(driver.session().fonts_changed());
@@ -70,15 +90,26 @@ TEST(PartialPainter, DrawsWhatDrawingAllWouldShow) {
             at_once->bind();
             whole.paint();
             bit_by_bit->bind();
-            for (const ui::Rect& rect : damage.next(*ImGui::GetDrawData())) {
-                const ui::ClippedFrame clipped(*ImGui::GetDrawData(), rect);
+            const ImDrawData& data = *ImGui::GetDrawData();
+            for (const ui::Piece& piece : damage.next(data)) {
+                const ui::ClippedFrame clipped(data, piece.rect, piece.first_command);
                 whole.paint();
-                drawn_px +=
-                    static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
+                covered += piece.first_command > 0 ? 1 : 0;
+                drawn_px += static_cast<std::size_t>(piece.rect.width) *
+                            static_cast<std::size_t>(piece.rect.height);
             }
             ASSERT_EQ(bit_by_bit->read_rgba(), at_once->read_rgba()) << "frame " << frame;
-            patches[random.next() % patches.size()] = random_patch(random);
+            if (frame % 3 == 0) {  // the picture is painted anew, now and then together with others
+                for (std::uint8_t& pixel : pixels) {
+                    pixel = static_cast<std::uint8_t>(random.next());
+                }
+                texture.upload_grey(64, 64, pixels.data(), 64);
+                ++version;
+            }
+            if (frame % 4 == 0) continue;
+            patches[random.next() % patches.size()] = random_patch(random, texture.name());
         }
+        EXPECT_GT(covered, 0U);  // a picture hid what lies under it
         EXPECT_LT(drawn_px, static_cast<std::size_t>(kFrames) * kWidth * kHeight * 6 / 10);
     }
 }
@@ -88,16 +119,16 @@ TEST(Damage, IsNothingWhereNothingChangedAndAllAfterItWasForgotten) {
         ui::fill({10, 10, 40, 40}, ui.theme.accent);
     });
     std::uint64_t version = 0;
-    ui::Damage damage([&](ImTextureID) { return version; });
-    const ui::Rect all{0, 0, kWidth, kHeight};
+    ui::Damage damage([&](ImTextureID) { return version; }, {});
+    const std::vector<ui::Piece> all{{{0, 0, kWidth, kHeight}, 0}};
     driver.frame();
-    EXPECT_EQ(damage.next(*ImGui::GetDrawData()), std::vector{all});
+    EXPECT_EQ(damage.next(*ImGui::GetDrawData()), all);
     driver.frame();
     EXPECT_TRUE(damage.next(*ImGui::GetDrawData()).empty());
     version = 1;  // another picture in the same texture
     EXPECT_FALSE(damage.next(*ImGui::GetDrawData()).empty());
     damage.forget();
-    EXPECT_EQ(damage.next(*ImGui::GetDrawData()), std::vector{all});
+    EXPECT_EQ(damage.next(*ImGui::GetDrawData()), all);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ void ImageTexture::upload(int width_px, int height_px, const void* pixels, std::
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glBindTexture(GL_TEXTURE_2D, 0);
-    note_texture_changed(texture_.name());
+    note_texture_changed(texture_.name(), grey ? SeenThrough::kNo : SeenThrough::kYes);
 }
 
 }  // namespace gripscan::ui

@@ -1,5 +1,6 @@
 #include "ui/render/cloud_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -11,6 +12,12 @@
 
 namespace gripscan::ui {
 namespace {
+
+/// How much larger the points of a sample are drawn, so that the surface stays closed.
+double widening(const Slice& slice) {
+    constexpr double kMost = 3.0;  // beyond it edges look like scales
+    return slice.coarse ? std::min(kMost, 1.0 / std::sqrt(slice.to - slice.from)) : 1.0;
+}
 
 /// Everything a drawn point depends on.
 struct PictureKey {
@@ -118,7 +125,11 @@ struct CloudView::Parts {
         shade.set("near_m", static_cast<float>(range.near_m));
         shade.set("far_m", static_cast<float>(range.far_m));
         shade.set("strength", eye_dome ? 14.0F : 0.0F);
-        shade.set("rings", detail.complete() ? 2 : 1);
+        const bool rests = detail.complete();
+        shade.set("rings", rests ? 2 : 1);
+        shade.set("neighbours", rests ? 8 : 4);
+        shade.set("turn", rests ? Eigen::Vector2f(std::sqrt(0.5F), std::sqrt(0.5F))
+                                : Eigen::Vector2f(0.0F, 1.0F));
         shade.set("radius_px", Eigen::Vector2f(1.5F * scale.factor(), 4.0F * scale.factor()));
         glBindVertexArray(no_vertices.name());
         glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -170,14 +181,15 @@ Status CloudView::draw(const Scene& scene, int width_px, int height_px, const Th
     Parts::Layer& layer = parts.layer_of(slice, changed);
     layer.points->bind();
     parts.points.draw(scene.chunks, scene.camera, viewport, range, scene.settings, theme,
-                      Scale(scale.factor() * static_cast<float>(layer.part)), slice);
+                      Scale(scale.factor() * static_cast<float>(layer.part * widening(slice))),
+                      slice);
     const double part = parts.shown->part;
     const Scale shown_scale(scale.factor() * static_cast<float>(part));
     parts.shade_cloud(theme, shown_scale, range, scene.settings.eye_dome);
     parts.lines.draw(lines, scene.camera, {part * viewport.width_px, part * viewport.height_px},
                      range, shown_scale, parts.shown->points->depth());
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    note_texture_changed(texture());
+    note_texture_changed(texture(), SeenThrough::kNo);
     return {};
 }
 

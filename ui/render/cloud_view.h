@@ -24,7 +24,7 @@ struct ViewSettings {
     float point_size_px = 2.0F;  ///< at 100 %, 1 … 10
     bool eye_dome = true;
     std::optional<Box> keep = std::nullopt;  ///< in the world; points outside it are grey
-    bool keep_outside = false;  ///< keep what lies outside it instead
+    bool keep_outside = false;               ///< keep what lies outside it instead
     friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
 

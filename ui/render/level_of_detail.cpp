@@ -5,7 +5,7 @@
 namespace gripscan::ui {
 namespace {
 
-constexpr double kFewest = 15000.0;
+constexpr double kFewest = 5000.0;
 constexpr double kMost = 50e6;
 /// A still view may take this much longer a frame: nobody waits for it.
 constexpr double kStillFactor = 1.5;

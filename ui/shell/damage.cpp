@@ -37,6 +37,12 @@ struct Tiles {
           rows((height_px + kTile_px - 1) / kTile_px),
           sums(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1) {}
 
+    [[nodiscard]] Rect rect(std::size_t tile) const {
+        const int x = static_cast<int>(tile) % columns;
+        const int y = static_cast<int>(tile) / columns;
+        return {x * kTile_px, y * kTile_px, kTile_px, kTile_px};
+    }
+
     void add(const ImVec4& bounds, std::uint64_t value) {
         const int left = std::max(0, static_cast<int>(std::floor(bounds.x)) / kTile_px);
         const int top = std::max(0, static_cast<int>(std::floor(bounds.y)) / kTile_px);
@@ -143,29 +149,61 @@ std::vector<Rect> runs_of(const std::vector<bool>& changed, int columns, int row
 
 }  // namespace
 
-std::vector<Rect> Damage::next(const ImDrawData& frame) {
+std::uint64_t Damage::version_of(ImTextureID id) const {
+    return version_ ? version_(id) : 0;
+}
+
+std::vector<Piece> Damage::painted_anew(const std::vector<OpaquePicture>& pictures) {
+    std::vector<Piece> anew;
+    std::vector<Shown> shown;
+    for (const OpaquePicture& picture : pictures) {
+        const std::uint64_t version = version_of(picture.texture);
+        const auto before = std::ranges::find_if(pictures_, [&](const Shown& s) {
+            return s.rect == picture.rect && s.texture == picture.texture;
+        });
+        // One that was not there has changed the tiles.
+        if (before != pictures_.end() && before->version != version) {
+            anew.push_back({picture.rect, picture.command});
+        }
+        shown.push_back({picture.rect, picture.texture, version});
+    }
+    pictures_ = std::move(shown);
+    return anew;
+}
+
+std::vector<Piece> Damage::next(const ImDrawData& frame) {
     const int width = static_cast<int>(frame.DisplaySize.x * frame.FramebufferScale.x);
     const int height = static_cast<int>(frame.DisplaySize.y * frame.FramebufferScale.y);
+    const std::vector<OpaquePicture> pictures = opaque_pictures(frame, opaque_);
     Tiles tiles(width, height);
+    std::size_t number = 0;
+    auto picture = pictures.begin();
     for (int n = 0; n < frame.CmdListsCount; ++n) {
         const ImDrawList& list = *frame.CmdLists[n];
         for (const ImDrawCmd& command : list.CmdBuffer) {
+            const bool own = picture != pictures.end() && picture->command == number;
+            if (own) ++picture;
+            ++number;
             const ImTextureID id = command.GetTexID();
             const std::uint64_t texture =
-                mixed(reinterpret_cast<std::uintptr_t>(id), version_ ? version_(id) : 0);
+                mixed(reinterpret_cast<std::uintptr_t>(id), own ? 0 : version_of(id));
             add_command(list, command, frame.DisplayPos, texture, tiles);
         }
     }
     const bool known =
         width == width_px_ && height == height_px_ && tiles.sums.size() == tiles_.size();
+    const std::vector<Piece> anew = painted_anew(pictures);
+    const auto in_one_anew = [&](const Rect& rect) {
+        return std::ranges::any_of(anew, [&](const Piece& p) { return rect.inside(p.rect); });
+    };
     std::vector<bool> changed(tiles.sums.size());
     for (std::size_t i = 0; known && i < changed.size(); ++i) {
-        changed[i] = tiles.sums[i] != tiles_[i];
+        changed[i] = tiles.sums[i] != tiles_[i] && !in_one_anew(tiles.rect(i));
     }
     width_px_ = width;
     height_px_ = height;
     tiles_ = std::move(tiles.sums);
-    if (!known) return {{0, 0, width, height}};
+    if (!known) return pieces_of({0, 0, width, height}, pictures);
     std::vector<Rect> rects = runs_of(changed, tiles.columns, tiles.rows);
     for (Rect& r : rects) {
         r = {r.x * kTile_px, r.y * kTile_px, r.width * kTile_px, r.height * kTile_px};
@@ -173,7 +211,13 @@ std::vector<Rect> Damage::next(const ImDrawData& frame) {
         r.height = std::min(r.height, height - r.y);
     }
     join(rects);
-    return rects;
+    std::vector<Piece> pieces = anew;
+    for (const Rect& rect : rects) {
+        for (const Piece& piece : pieces_of(rect, pictures)) {
+            if (!in_one_anew(piece.rect)) pieces.push_back(piece);
+        }
+    }
+    return pieces;
 }
 
 namespace {
@@ -190,11 +234,17 @@ Rect pixels_of(const ImVec4& clip, const ImVec2& origin, int height_px) {
 
 }  // namespace
 
-ClippedFrame::ClippedFrame(const ImDrawData& frame, const Rect& rect) : frame_(frame) {
+ClippedFrame::ClippedFrame(const ImDrawData& frame, const Rect& rect, std::size_t first_command)
+    : frame_(frame) {
     const auto height_px = static_cast<int>(frame.DisplaySize.y * frame.FramebufferScale.y);
     for (int n = 0; n < frame.CmdListsCount; ++n) {
         for (ImDrawCmd& command : frame.CmdLists[n]->CmdBuffer) {
             own_.push_back(command.ClipRect);
+            if (own_.size() <= first_command) {
+                command.ClipRect = {frame.DisplayPos.x, frame.DisplayPos.y, frame.DisplayPos.x,
+                                    frame.DisplayPos.y};
+                continue;
+            }
             const Rect own = pixels_of(command.ClipRect, frame.DisplayPos, height_px);
             const int left = std::max(own.x, rect.x);
             const int top = std::max(own.y, rect.y);

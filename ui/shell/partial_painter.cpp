@@ -7,8 +7,16 @@
 namespace gripscan::ui {
 namespace {
 
+GLuint name_of(ImTextureID id) {
+    return static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(id));
+}
+
 std::uint64_t version_of(ImTextureID id) {
-    return texture_version(static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(id)));
+    return texture_version(name_of(id));
+}
+
+bool opaque(ImTextureID id) {
+    return texture_opaque(name_of(id));
 }
 
 bool software_rasteriser() {
@@ -20,7 +28,9 @@ bool software_rasteriser() {
 }  // namespace
 
 PartialPainter::PartialPainter(std::unique_ptr<ImGuiPainter> painter)
-    : painter_(std::move(painter)), damage_(version_of), window_keeps_(software_rasteriser()) {}
+    : painter_(std::move(painter)),
+      damage_(version_of, opaque),
+      window_keeps_(software_rasteriser()) {}
 
 void PartialPainter::begin_frame(bool fonts_changed) {
     painter_->begin_frame(fonts_changed);
@@ -37,18 +47,18 @@ Result<bool> PartialPainter::paint(int width_px, int height_px) {
         damage_.forget();
     }
     const ImDrawData& frame = *ImGui::GetDrawData();
-    const std::vector<Rect> rects = damage_.next(frame);
+    const std::vector<Piece> pieces = damage_.next(frame);
     if (picture_) {
         picture_->bind();
     } else {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, width_px, height_px);
     }
-    for (const Rect& rect : rects) {
-        const ClippedFrame clipped(frame, rect);
+    for (const Piece& piece : pieces) {
+        const ClippedFrame clipped(frame, piece.rect, piece.first_command);
         painter_->paint();
     }
-    return !rects.empty();
+    return !pieces.empty();
 }
 
 void PartialPainter::show() const {
