@@ -18,6 +18,7 @@ struct RunOptions {
     std::string out;
     std::string truth;
     std::string gripper;  ///< of an object's turn
+    std::string environment;
     bool resume = false;
     TurnOptions turn;
 };
@@ -39,6 +40,9 @@ Status check_run(const RunOptions& options) {
     }
     if (!options.gripper.empty() && options.resume) {
         return input_error("a resumed session names its gripper itself: leave --gripper out");
+    }
+    if (!options.environment.empty() && options.resume) {
+        return input_error("a resumed session keeps its environment: leave --environment out");
     }
     if (options.truth.empty()) return {};
     if (!options.cell.simulated() || options.resume) {
@@ -82,6 +86,7 @@ Result<ExitStatus> run_turn(const RunOptions& options, std::string_view what,
     TurnRunOptions run_options{.cell = options.cell,
                                .out = options.out,
                                .gripper = options.gripper,
+                               .environment = options.environment,
                                .resume = options.resume,
                                .turn = options.turn,
                                .threads = thread_count(context)};
@@ -121,6 +126,11 @@ void add_turn_run_options(CLI::App& command, RunOptions& options, CommonOptions&
     command.add_flag("--resume", options.resume,
                      "Go on with the session in --out where it was interrupted; one that moves a "
                      "real arm is asked for --live again");
+    command
+        .add_option("--environment", options.environment,
+                    "Session of the learned environment (run environment), which is taken away "
+                    "from every capture")
+        ->option_text("DIR");
     command.add_option("--truth", options.truth, "Write the simulator's truth there, apart")
         ->option_text("DIR");
     add_turn_options(command, options.turn);

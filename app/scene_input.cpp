@@ -6,6 +6,7 @@
 #include "app/number_checks.h"
 #include "core/cloud/cloud_file.h"
 #include "core/procedure/turn_workspace.h"
+#include "core/scene/environment_file.h"
 #include "core/session/capture_joints.h"
 #include "core/session/session.h"
 #include "core/stereo/depth_cloud.h"
@@ -45,6 +46,19 @@ Result<std::vector<InputView>> load_session(const SceneOptions& options, const P
     return views;
 }
 
+/// Leaves of every view what is not the learned environment's.
+Status take_environment_away(const std::string& environment, const ForEach& for_each,
+                             std::vector<InputView>& views) {
+    const auto model = load_environment(environment);
+    if (!model) return forward_error(model.error());
+    for (InputView& view : views) {
+        const auto rest = model->subtract(view.cloud, {}, for_each);
+        if (!rest) return forward_error(rest.error());
+        view.cloud = select(view.cloud, *rest);
+    }
+    return {};
+}
+
 }  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
@@ -69,6 +83,11 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
         ->check(finite_number())
         ->option_text("S");
     command
+        .add_option("--environment", options.environment,
+                    "Session of the learned environment (run environment), which is taken away "
+                    "from the scene")
+        ->option_text("DIR");
+    command
         .add_option("--viewpoint", options.viewpoint_m,
                     "Where the camera stood, m (a PCD's own, else the origin)")
         ->delimiter(',')
@@ -92,6 +111,10 @@ Result<std::vector<InputView>> load_scene(const SceneOptions& options, const Pro
         auto cloud = load_file(options);
         if (!cloud) return forward_error(cloud.error());
         views.push_back({0, std::move(*cloud), std::nullopt});
+    }
+    if (!options.environment.empty()) {
+        Status taken = take_environment_away(options.environment, for_each, views);
+        if (!taken) return forward_error(std::move(taken.error()));
     }
     for (InputView& view : views) {
         if (options.viewpoint_m.empty()) continue;

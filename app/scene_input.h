@@ -20,6 +20,7 @@ struct SceneOptions {
     std::vector<double> intrinsics;     ///< fx fy cx cy, px; empty: not a depth image
     std::optional<double> depth_scale;  ///< units a metre
     std::vector<double> viewpoint_m;    ///< x y z; empty: as the file says
+    std::string environment;            ///< taken away; empty: nothing is
 };
 
 void add_scene_options(CLI::App& command, SceneOptions& options);

@@ -4,8 +4,37 @@
 #include "app/session_settings.h"
 #include "core/procedure/region_stillness.h"
 #include "core/report/gripper_template_file.h"
+#include "core/scene/environment_file.h"
 
 namespace gripscan::app {
+namespace {
+
+/// Begins the session. What it needs from elsewhere is looked at before anything is made: a
+/// template or an environment that cannot be used is the likeliest mistake.
+Result<TurnSession> begin(const TurnRunOptions& options, Cell& cell) {
+    std::optional<std::string> gripper;
+    if (!options.gripper.empty()) {
+        gripper = name_of_template(options.out, options.gripper);
+        auto usable = load_gripper_template(options.out, *gripper);
+        if (!usable) return forward_error(usable.error());
+    }
+    std::optional<EnvironmentModel> environment;
+    if (!options.environment.empty()) {
+        auto loaded = load_environment(options.environment);
+        if (!loaded) return forward_error(loaded.error());
+        environment = std::move(*loaded);
+    }
+    auto opened = open_cell(options.cell);
+    if (!opened) return forward_error(opened.error());
+    cell = std::move(*opened);
+    auto session = begin_session(options.out, options.cell, cell, gripper);
+    if (!session || !environment) return session;
+    Status kept = keep_environment(options.out, *environment);
+    if (!kept) return forward_error(kept.error());
+    return session;
+}
+
+}  // namespace
 
 /// Keeps the results and shows the turn to whoever looks.
 class TurnRun::Keeper : public ResultKeeper {
@@ -44,18 +73,10 @@ Result<std::unique_ptr<TurnRun>> TurnRun::open(const TurnRunOptions& options,
                                                const std::stop_token& stop) {
     std::unique_ptr<TurnRun> run;
     if (!options.resume || is_fresh_session(options.out)) {
-        std::optional<std::string> gripper;
-        if (!options.gripper.empty()) {
-            gripper = name_of_template(options.out, options.gripper);
-            // Before anything is made: a template that cannot be used is the likeliest mistake.
-            auto usable = load_gripper_template(options.out, *gripper);
-            if (!usable) return forward_error(usable.error());
-        }
-        auto cell = open_cell(options.cell);
-        if (!cell) return forward_error(cell.error());
-        auto session = begin_session(options.out, options.cell, *cell, gripper);
+        Cell cell;
+        auto session = begin(options, cell);
         if (!session) return forward_error(session.error());
-        run.reset(new TurnRun(std::move(*cell), std::move(*session), options.cell, false));
+        run.reset(new TurnRun(std::move(cell), std::move(*session), options.cell, false));
     } else {
         auto remembered = remember_session(options.out);
         if (!remembered) return forward_error(remembered.error());

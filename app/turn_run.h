@@ -21,6 +21,9 @@ struct TurnRunOptions {
     /// Of an object's turn that begins: the template of the gripper that holds it, or the session
     /// that it was registered in. Empty: the gripper's own turn.
     std::filesystem::path gripper;
+    /// Of a turn that begins: the learned environment, or the session it was learned from. Empty:
+    /// nothing is taken away.
+    std::filesystem::path environment;
     bool resume = false;
     /// Resumed in whatever mode it was: its window shows which, and asks before each motion by
     /// hand.

@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/procedure/turn_recording.h"
 #include "core/registration/solve_turn.h"
+#include "core/scene/environment_model.h"
 #include "core/scene/held_pose.h"
 #include "core/scene/object_split.h"
 #include "core/stereo/stereo_cloud.h"
@@ -19,6 +20,9 @@ struct ComputeTurnSettings {
     TurnSettings turn;
     /// Clouds are cut to the region. Off: only matching is limited by it.
     bool crop = true;
+    /// What stands still where the camera looks, to be taken away from every capture; null: nothing
+    /// was learned.
+    std::shared_ptr<const EnvironmentModel> environment;
     /// Of an object's turn: the gripper that holds it, to be taken away from every capture.
     std::shared_ptr<const GripperTemplate> gripper;
     ObjectSplitSettings split;

@@ -82,7 +82,7 @@ Status TurnWorkspace::prepare_images(const RecordedCapture& capture, const Progr
     if (!result) return about(capture, result.error());
     made.health = result->health;
     made.background = background_beside(*rectified, rectifier_->rig(), region_);
-    take_view(capture, std::move(result->cloud), made);
+    if (Status s = take_view(capture, std::move(result->cloud), for_each, made); !s) return s;
     made.view.image = image_health_of(result->health);
     made.view.field = field_of(rectifier_->rig());
     return {};
@@ -101,20 +101,27 @@ Result<PreparedCapture> TurnWorkspace::prepare(const RecordedCapture& capture,
     auto cloud = capture.load_cloud();
     if (!cloud) return forward_error(cloud.error());
     if (region_ && settings_.crop) *cloud = crop(*cloud, *region_);
-    take_view(capture, std::move(*cloud), made);
+    Status taken = take_view(capture, std::move(*cloud), for_each, made);
+    if (!taken) return forward_error(std::move(taken.error()));
     return made;
 }
 
-void TurnWorkspace::take_view(const RecordedCapture& capture, Cloud cloud,
-                              PreparedCapture& made) const {
+Status TurnWorkspace::take_view(const RecordedCapture& capture, Cloud cloud,
+                                const ForEach& for_each, PreparedCapture& made) const {
+    if (settings_.environment) {
+        const auto rest = settings_.environment->subtract(cloud, {}, for_each);
+        if (!rest) return about(capture, rest.error());
+        cloud = select(cloud, *rest);
+    }
     if (!settings_.gripper) {
         made.view = prepare_view(std::move(cloud));
-        return;
+        return {};
     }
     SplitView view = prepare_split_view(*settings_.gripper, settings_.split, facts_of(capture),
                                         std::move(cloud));
     made.view = std::move(view.view);
     made.split = std::move(view.split);
+    return {};
 }
 
 CaptureEvidence TurnWorkspace::insert(PreparedCapture capture) {
@@ -335,7 +342,8 @@ std::optional<HeldPose> TurnWorkspace::held_in(std::span<const RecordedCapture> 
         const auto& T_first_k = computed.report.poses[k];
         if (!T_first_k) continue;
         const auto& holder = captures_.at(captures[k].index)->view.holder;
-        if (holder) views.push_back({holder->T_camera_holder, T_first_k->inverse()});
+        if (!holder || !holder->usable()) continue;
+        views.push_back({holder->T_camera_holder, T_first_k->inverse()});
     }
     return held_pose(views, centroid(computed.report.merged));
 }

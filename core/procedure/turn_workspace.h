@@ -50,9 +50,10 @@ class TurnWorkspace {
                                                       const std::optional<Box>& region,
                                                       const ComputeTurnSettings& settings);
 
-    /// Loads the capture's images or cloud: stereo, crop, gripper taken away, surface, health. May
-    /// run for several captures at the same time. Errors: what cannot be loaded or matched, images
-    /// without a rig, cancelled.
+    /// Loads the capture's images or cloud: stereo, crop, environment and gripper taken away,
+    /// surface, health. May run for several captures at the same time. Errors: what cannot be
+    /// loaded or matched, images without a rig, an environment that another camera has seen,
+    /// cancelled.
     [[nodiscard]] Result<PreparedCapture> prepare(const RecordedCapture& capture,
                                                   const Progress& progress,
                                                   const ForEach& for_each) const;
@@ -99,7 +100,8 @@ class TurnWorkspace {
     TurnWorkspace(std::optional<Box> region, ComputeTurnSettings settings);
     [[nodiscard]] Status prepare_images(const RecordedCapture& capture, const Progress& progress,
                                         const ForEach& for_each, PreparedCapture& made) const;
-    void take_view(const RecordedCapture& capture, Cloud cloud, PreparedCapture& made) const;
+    [[nodiscard]] Status take_view(const RecordedCapture& capture, Cloud cloud,
+                                   const ForEach& for_each, PreparedCapture& made) const;
     [[nodiscard]] std::optional<HeldPose> held_in(std::span<const RecordedCapture> captures,
                                                   const ComputedTurn& computed) const;
     [[nodiscard]] Result<PreparedTurn> gather(std::span<const RecordedCapture> captures) const;

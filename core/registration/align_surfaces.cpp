@@ -123,7 +123,8 @@ double rotation_between_rad(const Pose& a, const Pose& b) {
     return rotation_angle_rad(a.linear().transpose() * b.linear());
 }
 
-/// The verdict without a robot: is the pose tied down, is there only one, is there enough overlap?
+}  // namespace
+
 void judge_alone(Alignment& a, const AlignSettings& settings) {
     const double sigma_deg = deg_from_rad(a.sigma_angle_rad);
     if (a.overlap < 0.5 * kLeastMatched) {
@@ -158,8 +159,6 @@ void judge_alone(Alignment& a, const AlignSettings& settings) {
                                  deg_from_rad(a.angle_rad), sigma_deg, 100.0 * a.overlap);
     }
 }
-
-}  // namespace
 
 namespace {
 

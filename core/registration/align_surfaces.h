@@ -19,4 +19,7 @@ namespace gripscan {
 [[nodiscard]] Alignment alignment_at(const Surface& source, const Surface& target,
                                      const Pose& T_target_source, const AlignSettings& settings);
 
+/// The verdict without a robot: is the pose tied down, is there only one, is there enough overlap?
+void judge_alone(Alignment& alignment, const AlignSettings& settings);
+
 }  // namespace gripscan

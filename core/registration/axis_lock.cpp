@@ -51,7 +51,7 @@ Result<std::optional<AxisEstimate>> axis_for_lock(std::span<const CaptureFacts> 
     if (!start) start = axis_of_revolution(views, usable, settings);
     if (!start || usable.size() < 2) return start;
     const auto solution = solve_jointly(joint_views(facts, views, usable, {}), start->axis,
-                                        joint_settings(facts), progress, for_each);
+                                        joint_settings(facts, views), progress, for_each);
     if (!solution) return forward_error(solution.error());
     return std::optional<AxisEstimate>(solution->axis);
 }

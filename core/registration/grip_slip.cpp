@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/registration/align_surfaces.h"
+#include "core/registration/fits_as_well.h"
 
 namespace gripscan {
 namespace {
@@ -57,6 +58,11 @@ std::optional<GripSlip> measure_grip_slip(const PreparedView& from, const Prepar
     slip.sigma_shift_m = sigma_along(covariance.bottomRightCorner<3, 3>(), shift_m);
     slip.sigma_angle_rad = std::hypot(sigma_along(covariance.topLeftCorner<3, 3>(), turn_rad),
                                       kSystematicShare * part.angle_rad);
+    if (fits_as_well(from.surface, to.surface, part, T_carried, settings)) {
+        // A difference that the surfaces do not resolve is its own uncertainty.
+        slip.sigma_shift_m = std::max(slip.sigma_shift_m, slip.shift_m);
+        slip.sigma_angle_rad = std::max(slip.sigma_angle_rad, slip.angle_rad);
+    }
     return slip;
 }
 

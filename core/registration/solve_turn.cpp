@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/registration/align_held.h"
 #include "core/registration/align_surfaces.h"
 #include "core/registration/axis_lock.h"
 #include "core/registration/common_cause.h"
@@ -160,6 +161,11 @@ Result<Alignment> align_views(const CaptureFacts& from_facts, const PreparedView
         return align_paper_icp(from.cloud, to.cloud, settings.paper_icp);
     }
     if (to_facts.mode == TurnMode::kAxisLocked) return Alignment{};
+    const auto& a = from.holder;
+    const auto& b = to.holder;
+    if (a && b && a->usable() && b->usable()) {
+        return align_held({from.surface, *a}, {to.surface, *b}, settings.align, progress, for_each);
+    }
     return align_surfaces(from.surface, to.surface, settings.align, progress, for_each);
 }
 

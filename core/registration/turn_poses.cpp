@@ -55,9 +55,12 @@ std::optional<double> whole_turn_rad(const TurnReport& report, double step_rad) 
 
 }  // namespace
 
-JointSettings joint_settings(std::span<const CaptureFacts> facts) {
+JointSettings joint_settings(std::span<const CaptureFacts> facts,
+                             std::span<const PreparedView* const> views) {
     JointSettings settings;
-    settings.scale_known = any_locked(facts);
+    const bool held = std::any_of(views.begin(), views.end(),
+                                  [](const PreparedView* view) { return view->holder != nullptr; });
+    settings.scale_known = held || any_locked(facts);
     return settings;
 }
 
@@ -98,7 +101,7 @@ Status solve_poses(std::span<const CaptureFacts> facts, std::span<const Prepared
         settings.method == TurnMethod::kTurn && report.axis && chain.trusted.size() > 2;
     if (jointly) {
         auto solution = solve_jointly(joint_views(facts, views, chain.trusted, report.steps),
-                                      report.axis->axis, joint_settings(facts), progress, for_each);
+                                      report.axis->axis, joint_settings(facts, views), progress, for_each);
         if (!solution) return forward_error(std::move(solution.error()));
         report.axis = solution->axis;
         if (solution->scale_estimated) report.angle_scale = solution->scale;

@@ -14,8 +14,10 @@
 namespace gripscan {
 
 /// A surface that does not show its turn shows no ratio of the robot's either: with a locked step
-/// the scale is known.
-[[nodiscard]] JointSettings joint_settings(std::span<const CaptureFacts> facts);
+/// the scale is known. So it is of what the gripper holds: the ratio is measured with the gripper,
+/// whose shape shows it, and any object may be nearly round.
+[[nodiscard]] JointSettings joint_settings(std::span<const CaptureFacts> facts,
+                                           std::span<const PreparedView* const> views);
 
 /// The turn of every member (places among the views, rising) since the first of them as reported;
 /// where nothing was reported, as the steps say, loosely held; where the step is locked to the

@@ -112,15 +112,32 @@ void share_out(const Cloud& scene, const ObjectSplitSettings& settings, std::vec
 }
 
 std::string sentence_of(const ObjectSplit& split) {
-    if (!split.gripper.trusted) {
+    if (!split.gripper.usable()) {
         return fmt::format("the gripper was not found: {}", split.gripper.sentence);
     }
-    return fmt::format(
-        "{} points of the object, {} of the gripper; {} points reach into the gripper's cuboid and "
-        "are {}; {} scattered ones belong to neither",
-        split.object.size(), split.gripper_part.size(), split.reaching_in,
-        split.trimmed_by == TrimBy::kCuboid ? "lost with it" : "kept, trimmed by its surface",
-        split.scattered);
+    const std::string unverified =
+        split.gripper.trusted
+            ? ""
+            : fmt::format("the gripper was not verified: {}; ", split.gripper.sentence);
+    return unverified + fmt::format(
+                            "{} points of the object, {} of the gripper; {} points reach into the "
+                            "gripper's cuboid and "
+                            "are {}; {} scattered ones belong to neither",
+                            split.object.size(), split.gripper_part.size(), split.reaching_in,
+                            split.trimmed_by == TrimBy::kCuboid ? "lost with it"
+                                                                : "kept, trimmed by its surface",
+                            split.scattered);
+}
+
+/// Split once, matched again with what is the gripper's, so that the object does not pull at it.
+void match_own_points(const GripperTemplate& gripper, const Cloud& scene, const Surface& surface,
+                      const std::optional<Pose>& T_start, const ObjectSplitSettings& settings,
+                      ObjectSplit& split) {
+    const std::vector<Owner> owners = owners_of(gripper, surface, split, settings);
+    const auto own = make_surface(select(scene, indices_of(owners, Owner::kGripper)));
+    if (!own) return;
+    GripperMatch again = match_again(gripper, *own, surface, T_start, split.gripper);
+    if (again.trusted) split.gripper = std::move(again);
 }
 
 }  // namespace
@@ -137,9 +154,10 @@ Result<ObjectSplit> split_object(const GripperTemplate& gripper, const Cloud& sc
     if (!surface) return forward_error(surface.error());
     ObjectSplit split;
     split.gripper = match_gripper(gripper, *surface, T_start);
+    if (split.gripper.trusted) match_own_points(gripper, scene, *surface, T_start, settings, split);
     split.gripper_cuboid =
         moved(widened(gripper.cuboid, settings.margins), split.gripper.T_camera_gripper);
-    if (split.gripper.trusted) {
+    if (split.gripper.usable()) {
         std::vector<Owner> owners = owners_of(gripper, *surface, split, settings);
         mark_scattered(scene, settings, surface->spacing_m, owners);
         share_out(scene, settings, std::move(owners), split);

@@ -15,12 +15,14 @@ SplitView prepare_split_view(const GripperTemplate& gripper, const ObjectSplitSe
         return made;
     }
     made.view = prepare_view(split->object);
-    if (!split->gripper.trusted) {
+    if (!split->gripper.usable()) {
         made.view.flaw = split->sentence;
         made.view.flaw_cause = Cause::kNotConverged;
     } else {
-        made.view.holder = std::make_shared<const Holder>(
-            make_holder(split->gripper_part, split->gripper.T_camera_gripper));
+        Holder holder = make_holder(split->gripper_part, split->gripper.T_camera_gripper);
+        // What is only the robot's word is no witness of how the gripper moved.
+        if (!split->gripper.trusted) holder.flaw = split->gripper.sentence;
+        made.view.holder = std::make_shared<const Holder>(std::move(holder));
     }
     made.split = std::make_shared<const ObjectSplit>(std::move(*split));
     return made;

@@ -62,6 +62,9 @@ TEST(RunObject, SaysWhatIsMissing) {
                                       (folder / "bare.xyz").string(), "--out", out});
     EXPECT_EQ(unknown.status, 2);
     EXPECT_THAT(unknown.err, HasSubstr("axis"));
+    const auto no_room = run_program(turn(out, {"--environment", (folder / "room").string()}));
+    EXPECT_EQ(no_room.status, 2);
+    EXPECT_THAT(no_room.err, HasSubstr("room"));
     EXPECT_FALSE(fs::exists(folder / "s"));
 }
 

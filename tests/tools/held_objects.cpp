@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -42,6 +43,8 @@ struct Arguments {
     unsigned fraction = 1;
     std::string trim = "auto";
     int trials = 20;
+    int first = 0;     ///< capture of the turn
+    int captures = 0;  ///< of the turn; 0: all of it
 };
 
 void must(const Status& status) {
@@ -52,7 +55,10 @@ void must(const Status& status) {
 class Cell {
   public:
     Cell(const Arguments& a, const std::string& object, const ForEach& for_each)
-        : layout(sim::make_layout(a.seed)), for_each_(for_each) {
+        : layout(sim::make_layout(a.seed)),
+          for_each_(for_each),
+          kept_(fs::path(a.folder) / "views" /
+                fmt::format("{}-{}-{}-{}", a.gripper, object, a.seed, a.fraction)) {
         layout.rig = sim::shrunk(layout.rig, a.fraction);
         sim::SceneContents contents;
         contents.gripper = a.gripper;
@@ -73,11 +79,16 @@ class Cell {
         moment.true_rad = layout.joints_rad;
     }
 
-    /// `number` makes the noise.
+    /// `number` makes the noise. Rendered once; afterwards read from the folder.
     Cloud cloud_at(double turn_rad, int number) {
         moment.true_rad[5] = layout.joints_rad[5] + turn_rad;
-        const auto frame = rectifier_->rectify(camera_->grab({number, 1, 0}).value()).value();
-        return stereo_cloud(frame, rectifier_->rig(), region, {}, {}, for_each_).value().cloud;
+        grabbed_[number] = moment;
+        const fs::path file = kept_ / fmt::format("{:.3f}-{}.pcd", deg_from_rad(turn_rad), number);
+        if (!fs::exists(file)) {
+            fs::create_directories(kept_);
+            must(save_cloud(file, rendered(number)));
+        }
+        return load_cloud(file).value();
     }
     [[nodiscard]] double joint6_rad(double turn_rad) const {
         return layout.joints_rad[5] + turn_rad;
@@ -91,7 +102,7 @@ class Cell {
         f.baseline_m = rig.baseline_m;
         return f;
     }
-    [[nodiscard]] const sim::Moments& grabbed() const { return camera_->grabbed(); }
+    [[nodiscard]] const sim::Moments& grabbed() const { return grabbed_; }
 
     sim::CellLayout layout;
     sim::SceneModel model;
@@ -99,7 +110,14 @@ class Cell {
     sim::Moment moment;
 
   private:
+    [[nodiscard]] Cloud rendered(int number) {
+        const auto frame = rectifier_->rectify(camera_->grab({number, 1, 0}).value()).value();
+        return stereo_cloud(frame, rectifier_->rig(), region, {}, {}, for_each_).value().cloud;
+    }
+
     ForEach for_each_;
+    fs::path kept_;
+    sim::Moments grabbed_;
     std::unique_ptr<sim::SimCamera> camera_;
     std::optional<Rectifier> rectifier_;
 };
@@ -145,13 +163,12 @@ GripperTemplate gripper_of(const Arguments& a, const ForEach& for_each) {
     return make_gripper_template(load_cloud(file).value(), axis, joint6_rad).value();
 }
 
-SplitView prepared(const GripperTemplate& gripper, const Arguments& a, Cell& cell,
-                   const CaptureFacts& facts, double turn_rad) {
+SplitView prepared(const GripperTemplate& gripper, const Arguments& a, const Cell& cell,
+                   const CaptureFacts& facts, Cloud scene) {
     ObjectSplitSettings split;
     if (a.trim == "cuboid") split.trim = TrimBy::kCuboid;
     if (a.trim == "surface") split.trim = TrimBy::kSurface;
-    SplitView view =
-        prepare_split_view(gripper, split, facts, cell.cloud_at(turn_rad, facts.index));
+    SplitView view = prepare_split_view(gripper, split, facts, std::move(scene));
     view.view.field = cell.field();
     return view;
 }
@@ -160,17 +177,41 @@ void tell(const SplitView& made, const Cell& cell, const CaptureFacts& facts) {
     if (!made.split) return fmt::print(stderr, "capture {}: {}\n", facts.index, made.view.flaw);
     const GripperMatch& g = made.split->gripper;
     // Against the truth: both turns begin at the same place.
-    const Pose T_true = sim::T_camera_part(cell.layout, cell.moment) *
-                        sim::T_camera_part(cell.layout, cell.grabbed().begin()->second).inverse();
+    sim::Moment begin;
+    begin.true_rad = cell.layout.joints_rad;
+    const Pose T_true = sim::T_camera_part(cell.layout, cell.grabbed().at(facts.index)) *
+                        sim::T_camera_part(cell.layout, begin).inverse();
     const Pose error = g.T_camera_gripper * T_true.inverse();
     const Eigen::Vector3d at = made.split->gripper_cuboid.T_frame_cuboid.translation();
     fmt::print(stderr,
                "capture {}: gripper {:.3f} deg {:.3f} mm off, {:.2f} found {:.2f} hidden {:.2f} "
-               "contradicted, observable {:.2f}; {}: object {} reaching {} scattered {}\n",
+               "contradicted, observable {:.2f}, {}; {}: object {} reaching {} scattered {}\n",
                facts.index, deg_from_rad(rotation_angle_rad(error.linear())),
                kMmPerM * (error * at - at).norm(), g.matched, g.hidden, g.contradicted,
-               g.observability, word(made.split->trimmed_by), made.split->object.size(),
-               made.split->reaching_in, made.split->scattered);
+               g.observability, g.trusted ? "verified" : g.sentence, word(made.split->trimmed_by),
+               made.split->object.size(), made.split->reaching_in, made.split->scattered);
+}
+
+/// Of the poses that the turn ends with, the worst: angle, and the shift of the object's middle.
+void tell_poses(const TurnReport& report, const PreparedTurn& turn, const Cell& cell) {
+    double worst_rad = 0.0;
+    double worst_m = 0.0;
+    std::size_t known = 0;
+    const auto true_pose = [&](std::size_t k) {
+        return sim::T_camera_part(cell.layout, cell.grabbed().at(turn.facts[k].index));
+    };
+    for (std::size_t k = 0; k < report.poses.size(); ++k) {
+        if (!report.poses[k]) continue;
+        ++known;
+        const Pose T_first_true = true_pose(0) * true_pose(k).inverse();
+        const Pose error = *report.poses[k] * T_first_true.inverse();
+        const Eigen::Vector3d at = turn.views[0]->surface.centre_m;
+        worst_rad = std::max(worst_rad, rotation_angle_rad(error.linear()));
+        worst_m = std::max(worst_m, (error * at - at).norm());
+    }
+    fmt::print(stderr, "{} of {} captures posed, worst {:.3f} deg {:.3f} mm; scale {:.5f}\n", known,
+               report.poses.size(), deg_from_rad(worst_rad), kMmPerM * worst_m,
+               report.angle_scale.value_or(1.0));
 }
 
 int turn(const Arguments& a, const ForEach& for_each) {
@@ -178,15 +219,22 @@ int turn(const Arguments& a, const ForEach& for_each) {
     Cell cell(a, a.object, for_each);
     const TurnSettings settings = settings_of(a, cell);
     PreparedTurn turn;
-    std::vector<SplitView> made;
-    for (double turn_deg = 0.0; turn_deg <= 360.0; turn_deg += a.step_deg) {
+    std::vector<Cloud> clouds;
+    const int all = 1 + static_cast<int>(std::lround(360.0 / a.step_deg));
+    const int end = a.captures > 0 ? std::min(all, a.first + a.captures) : all;
+    for (int k = a.first; k < end; ++k) {
+        const double turn_deg = k * a.step_deg;
         CaptureFacts facts;
-        facts.index = static_cast<int>(made.size());
+        facts.index = k;
         facts.joint6_rad = cell.joint6_rad(rad_from_deg(turn_deg));
-        made.push_back(prepared(gripper, a, cell, facts, rad_from_deg(turn_deg)));
+        clouds.push_back(cell.cloud_at(rad_from_deg(turn_deg), facts.index));
         turn.facts.push_back(facts);
-        tell(made.back(), cell, facts);
     }
+    std::vector<SplitView> made(clouds.size());
+    for_each(made.size(), [&](std::size_t k) {
+        made[k] = prepared(gripper, a, cell, turn.facts[k], std::move(clouds[k]));
+    });
+    for (std::size_t k = 0; k < made.size(); ++k) tell(made[k], cell, turn.facts[k]);
     for (const SplitView& one : made) turn.views.push_back(&one.view);
     turn.steps.resize(made.size() - 1);
     for_each(turn.steps.size(), [&](std::size_t i) {
@@ -209,6 +257,7 @@ int turn(const Arguments& a, const ForEach& for_each) {
                    deg_from_rad(slip.angle_rad), deg_from_rad(slip.sigma_angle_rad),
                    word(step.verdict), word(step.cause), step.sentence);
     }
+    tell_poses(*report, turn, cell);
     const fs::path truth_folder = fs::path(a.folder) / "truth";
     must(sim::write_truth_files({cell.layout, cell.model, cell.region, cell.grabbed()},
                                 truth_folder, for_each));
@@ -236,7 +285,7 @@ std::string try_step(const Arguments& a, Cell& cell, const GripperTemplate& grip
         cell.moment.T_part_object =
             i == 0 ? Pose::Identity()
                    : cell.model.T_tool_grasp * slip * cell.model.T_tool_grasp.inverse();
-        views[i] = prepared(gripper, a, cell, facts[i], turn_rad);
+        views[i] = prepared(gripper, a, cell, facts[i], cell.cloud_at(turn_rad, facts[i].index));
     }
     const TurnSettings settings = settings_of(a, cell);
     StepFinding finding;
@@ -299,6 +348,8 @@ int main(int argc, char** argv) {
     app.add_option("--fraction", a.fraction, "of the camera's pixels a side: 1/N");
     app.add_option("--trim", a.trim);
     app.add_option("--trials", a.trials);
+    app.add_option("--first", a.first, "capture of the turn to begin with");
+    app.add_option("--captures", a.captures, "so many of the turn; 0: all");
     CLI11_PARSE(app, argc, argv);
     std::filesystem::create_directories(a.folder);
     WorkerPool pool(threads_wanted());

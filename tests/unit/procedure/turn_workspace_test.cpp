@@ -84,6 +84,31 @@ TEST(TurnWorkspace, StepByStepGivesTheBytesOfAllAtOnce) {
     expect_same(grown->report, at_once->report);
 }
 
+/// What was learned to stand still is gone before anything is registered, and nothing else.
+TEST(TurnWorkspace, TakesTheLearnedEnvironmentAway) {
+    Cloud cloud;
+    cloud.points = small_turn(2).front().load_cloud().value().points;
+    const std::size_t part = cloud.size();
+    // A wall half a metre behind the part.
+    std::vector<Eigen::Vector3f> wall(cloud.points.begin(), cloud.points.begin() + 400);
+    for (Eigen::Vector3f& p : wall) p.z() += 0.5F;
+    EnvironmentModel environment;
+    environment.occupied = VoxelSet::of(0.008, wall, 1);
+    cloud.points.insert(cloud.points.end(), wall.begin(), wall.end());
+    RecordedCapture capture;
+    capture.load_cloud = [cloud]() -> Result<Cloud> { return cloud; };
+    ComputeTurnSettings settings;
+    settings.environment = std::make_shared<const EnvironmentModel>(environment);
+    const auto workspace = TurnWorkspace::create(std::nullopt, std::nullopt, settings);
+    ASSERT_TRUE(workspace);
+    const auto prepared = workspace->prepare(capture, {}, for_each_in_order);
+    ASSERT_TRUE(prepared) << prepared.error().message;
+    EXPECT_EQ(prepared->view.cloud.size(), part);
+    const auto whole = empty_workspace().prepare(capture, {}, for_each_in_order);
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(whole->view.cloud.size(), part + wall.size());
+}
+
 TEST(TurnWorkspace, ARetakenCaptureReplacesTheBadOne) {
     auto captures = small_turn(4);
     const auto good = captures;

@@ -20,9 +20,7 @@ double share_of_object(const HeldScene& scene, const Cloud& cloud, double turn_r
 class Split : public testing::TestWithParam<std::uint64_t> {};
 
 /// Noise of 0.2 mm over some 5000 points that an object covers in part: tenths of a degree and of a
-/// millimetre at worst. The start is off by more than two sessions differ in: the arm comes back to
-/// some hundredths of a millimetre, a gripper that was taken off and mounted again to less than
-/// half a degree and 0.8 mm. From 2 degrees and 3 mm it may settle a degree beside the truth.
+/// millimetre at worst. The start is off by what two sessions may differ in: 3 mm and 2 degrees.
 TEST_P(Split, FindsTheGripperFromARoughStart) {
     const HeldScene scene(GetParam());
     const GripperTemplate gripper = scene.registered(GetParam());
@@ -30,7 +28,7 @@ TEST_P(Split, FindsTheGripperFromARoughStart) {
         const double turn_rad = rad_from_deg(turn_deg);
         const Pose truth = turn_about(cell_axis(), turn_rad);
         Vector6d off;
-        off << 0.005, -0.004, 0.005, 0.0005, -0.0004, 0.0005;
+        off << 0.02, -0.015, 0.02, 0.002, -0.0015, 0.002;
         const Pose start = motion_about(off, cell_axis().point_m) * truth;
         const auto split = split_object(gripper, scene.view(turn_rad, GetParam() * 50), start, {});
         ASSERT_TRUE(split) << split.error().message;
@@ -39,26 +37,38 @@ TEST_P(Split, FindsTheGripperFromARoughStart) {
         const Pose error = split->gripper.T_camera_gripper * truth.inverse();
         EXPECT_LT(deg_from_rad(rotation_angle_rad(error.linear())), 0.35) << turn_deg;
         // Beside the noise, points of the object within the last reach of the match (1 mm) pull it:
-        // measured up to 0.35 mm.
+        // measured up to 0.36 mm.
         EXPECT_LT((error * cell_axis().point_m - cell_axis().point_m).norm(), 0.4e-3) << turn_deg;
     }
 }
 
-/// Without a start, or with one that is plainly wrong, its turn is searched and found.
+/// Without a start its turn is searched and found.
 TEST_P(Split, SearchesTheTurnWhereTheRobotDoesNotTellIt) {
     const HeldScene scene(GetParam());
     const GripperTemplate gripper = scene.registered(GetParam());
     const double turn_rad = rad_from_deg(97.0);
-    const Cloud view = scene.view(turn_rad, GetParam() * 60);
-    const std::optional<Pose> wrong = turn_about(cell_axis(), rad_from_deg(230.0));
-    for (const auto& start : {std::optional<Pose>(), wrong}) {
-        const auto split = split_object(gripper, view, start, {});
+    const auto split =
+        split_object(gripper, scene.view(turn_rad, GetParam() * 60), std::nullopt, {});
+    ASSERT_TRUE(split);
+    EXPECT_TRUE(split->gripper.trusted) << split->sentence;
+    EXPECT_TRUE(split->gripper.searched);
+    const Pose error =
+        split->gripper.T_camera_gripper * turn_about(cell_axis(), turn_rad).inverse();
+    // Of three scenes 0.38 deg at worst: tenths of a degree, as from a start.
+    EXPECT_LT(deg_from_rad(rotation_angle_rad(error.linear())), 0.45);
+}
+
+/// Where the robot says something plainly wrong the gripper is not found: no pose is believed that
+/// is far from there, and the surfaces speak against the robot's own.
+TEST_P(Split, BelievesNoPoseFarFromWhereTheRobotSays) {
+    const HeldScene scene(GetParam());
+    const GripperTemplate gripper = scene.registered(GetParam());
+    const Cloud view = scene.view(rad_from_deg(97.0), GetParam() * 60);
+    for (const double wrong_deg : {277.0, 230.0, 130.0}) {
+        const auto split =
+            split_object(gripper, view, turn_about(cell_axis(), rad_from_deg(wrong_deg)), {});
         ASSERT_TRUE(split);
-        EXPECT_TRUE(split->gripper.trusted) << split->sentence;
-        EXPECT_TRUE(split->gripper.searched);
-        const Pose error =
-            split->gripper.T_camera_gripper * turn_about(cell_axis(), turn_rad).inverse();
-        EXPECT_LT(deg_from_rad(rotation_angle_rad(error.linear())), 0.35);
+        EXPECT_FALSE(split->gripper.trusted) << wrong_deg << split->sentence;
     }
 }
 
