@@ -149,9 +149,13 @@ Box bounds_of(const Cloud& cloud) {
 }
 
 bool same_shape(const TemplateModel& a, const TemplateModel& b, const ForEach& for_each) {
-    const double larger = std::max(a.diameter_m, b.diameter_m);
-    // A measured template lacks what no camera saw, so sizes of measured ones may differ a little.
-    if (std::abs(a.diameter_m - b.diameter_m) > kSameSize * larger) return false;
+    // The longest distance, not the bounding box: that one changes when the part is turned.
+    const double longest_a_m = a.pairs->longest_m();
+    const double longest_b_m = b.pairs->longest_m();
+    // Coarse points miss the very ends by up to a step, and a measured template lacks what no
+    // camera saw.
+    const double apart_m = kSameSize * std::max(longest_a_m, longest_b_m) + a.step_m;
+    if (std::abs(longest_a_m - longest_b_m) > apart_m) return false;
     const ShapeMatcher onto_b(b);
     for (const ShapeMatch& m : onto_b.search(a, kSameShape, for_each)) {
         if (ShapeMatcher(a).same(b, m.T_still_moving.inverse()) >= kSameShape) return true;
@@ -165,8 +169,10 @@ Result<std::string> twin_of(const Library& library, const TemplateModel& model,
     for (const LibraryEntry& entry : library.entries) {
         if (entry.name == name) continue;
         if (progress.cancelled()) return cancelled_error();
-        const double diameter_m = (entry.bounds.max_m - entry.bounds.min_m).norm();
-        if (std::abs(diameter_m - model.diameter_m) > 0.2 * model.diameter_m) continue;
+        // Bounding boxes of one part, turned at will, have diagonals within a factor of √3.
+        const double diagonal_m = (entry.bounds.max_m - entry.bounds.min_m).norm();
+        const double smaller_m = std::min(diagonal_m, model.diameter_m);
+        if (std::max(diagonal_m, model.diameter_m) > 1.8 * smaller_m) continue;
         const auto cloud = load_entry(library, entry);
         if (!cloud) return forward_error(cloud.error());
         const auto other = make_template_model(entry.name, *cloud, {}, progress, for_each);

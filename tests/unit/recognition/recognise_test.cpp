@@ -44,12 +44,26 @@ std::vector<std::pair<SolidPart, Pose>> clutter() {
     return {{wall, behind}, {box, beside}};
 }
 
+// Shapes of their own: parts that differ in a detail only cannot be told apart from every side.
+SolidPart angle_bracket() {
+    using enum test::Primitive::Kind;
+    return {{{kBox, {0.0, 0.0, 0.0}, {0.05, 0.022, 0.005}},
+             {kBox, {-0.045, 0.0, 0.03}, {0.005, 0.022, 0.03}},
+             {kBox, {0.03, 0.012, 0.012}, {0.012, 0.008, 0.010}}}};
+}
+SolidPart stepped_block() {
+    using enum test::Primitive::Kind;
+    return {{{kBox, {-0.02, 0.0, 0.0}, {0.03, 0.03, 0.025}},
+             {kBox, {0.03, -0.010, -0.008}, {0.02, 0.018, 0.015}},
+             {kCylinder, {-0.02, 0.008, 0.032}, {0.015, 0.012, 0.012}}}};
+}
+
 class Recognise : public testing::Test {
   protected:
     static void SetUpTestSuite() {
-        for (const std::uint64_t seed : {1, 2, 3}) {
-            parts().push_back(test::asymmetric_part(seed));
-            models().push_back(test::model_of(parts().back(), fmt::format("part {}", seed)));
+        parts() = {test::asymmetric_part(1), angle_bracket(), stepped_block()};
+        for (std::size_t i = 0; i < parts().size(); ++i) {
+            models().push_back(test::model_of(parts()[i], fmt::format("part {}", i + 1)));
         }
     }
     static std::vector<SolidPart>& parts() {
@@ -86,8 +100,9 @@ TEST_F(Recognise, FindsThePartsThatAreThereAndNoOthers) {
 
 TEST_F(Recognise, FindsAPartThatIsHalfHidden) {
     using enum test::Primitive::Kind;
-    SeededRandom random(21);
-    Pose T = somewhere(random, 0.0);
+    // Long across the view: the post hides the middle half of it, not all.
+    Pose T = Pose::Identity();
+    T.linear() = rotation_from_vector({0.5, 0.5, 0.3});
     T.translation() = Eigen::Vector3d(0.0, 0.0, 0.62);
     auto scene = clutter();
     scene.emplace_back(parts()[0], T);
@@ -99,7 +114,8 @@ TEST_F(Recognise, FindsAPartThatIsHalfHidden) {
         recognise(models(), test::view_of_all(scene, wide_view(), 21), {}, {}, for_each_in_order);
     ASSERT_TRUE(found);
     ASSERT_EQ(found->size(), 1U);
-    EXPECT_GT(found->front().agreement.hidden, 0);
+    const VisibleAgreement& agreement = found->front().agreement;
+    EXPECT_GT(agreement.hidden, 0.35 * agreement.visible);
     EXPECT_THAT(found->front().T_camera_template,
                 test::IsPose(T, models()[0]->centre_m.cast<double>(), 1.0, 1.0));
 }
