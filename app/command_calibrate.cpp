@@ -141,7 +141,8 @@ Result<ExitStatus> calibrate_command(const CalibrateOptions& options, const Cont
 
 void add_calibrate(const CommandLine& line) {
     auto options = std::make_shared<CalibrateOptions>();
-    CLI::App* calibrate = line.app.add_subcommand("calibrate", "Calibrate the stereo camera, or align it to the robot");
+    CLI::App* calibrate = line.app.add_subcommand(
+        "calibrate", "Calibrate the stereo camera, or align it to the robot");
     CLI::App* command = calibrate->add_subcommand("stereo", "A stereo rig from images of a board");
     command->add_option("--left", options->left, "Images of the left camera, sorted by name")
         ->required()

@@ -70,15 +70,8 @@ Result<ExitStatus> show(const LibraryOptions& options, const Context& context) {
     return kDone;
 }
 
-/// An empty library where there is none yet: the first template makes the folder.
-Result<Library> open_or_begin(const std::string& folder) {
-    std::error_code code;
-    if (!std::filesystem::exists(folder, code)) return Library{folder, {}};
-    return open_library(folder);
-}
-
 Result<ExitStatus> add(const LibraryOptions& options, const Context& context) {
-    auto library = open_or_begin(options.library);
+    auto library = open_or_begin_library(options.library);
     if (!library) return forward_error(library.error());
     AddRequest request = options.add;
     request.name = options.name;

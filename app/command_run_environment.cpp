@@ -14,12 +14,10 @@
 #include "app/progress_bar.h"
 #include "app/results_of.h"
 #include "app/threads.h"
-#include "app/turn_session.h"
 #include "app/turn_work.h"
 #include "core/base/units.h"
 #include "core/scene/environment_file.h"
 #include "core/session/alignment_file.h"
-#include "core/session/session_store.h"
 
 namespace gripscan::app {
 namespace {
@@ -85,45 +83,18 @@ Result<Cell> open(const EnvironmentOptions& options) {
     return open_cell(cell);
 }
 
-/// Images first, then the table.
-Status record(const EnvironmentOptions& options, Cell& cell, SessionStore& store,
-              const Context& context) {
-    ProgressBar bar(context);
-    std::vector<CaptureRecord> captures;
-    for (int i = 0; i < options.captures; ++i) {
-        bar.progress().tell("capture", static_cast<std::size_t>(i),
-                            static_cast<std::size_t>(options.captures));
-        if (context.stop.stop_requested()) return cancelled_error();
-        if (Status moved = move_arm(options, i, cell, context); !moved) return moved;
-        const auto frame = cell.camera->grab({i, 1, 0});
-        if (!frame) return forward_error(frame.error());
-        if (Status stored = store.store_images(i, 1, *frame); !stored) return stored;
-        CaptureRecord capture;
-        capture.index = i;
-        capture.t_s = frame->t_s;
-        captures.push_back(capture);
-    }
-    return store.save_table(captures);
-}
-
 Result<ExitStatus> learn(const EnvironmentOptions& options, const Context& context) {
     auto cell = open(options);
     if (!cell) return forward_error(cell.error());
-    SessionSpec spec;
-    spec.kind = SessionKind::kEnvironment;
-    spec.region = cell->region;
-    const std::array opening{
-        JournalRecord{"cell", journal_fields(options.cell)},
-        JournalRecord{"environment", {{"arm_in_view", options.arm_in_view ? "yes" : "no"}}}};
     {
-        auto store = SessionStore::create(options.out, spec, cell->rig, GRIPSCAN_VERSION, opening);
+        auto store = begin_environment(options.out, options.cell, *cell, options.arm_in_view);
         if (!store) return forward_error(store.error());
-        if (Status kept = keep_alignment(options.out, *cell); !kept) {
-            return forward_error(kept.error());
-        }
-        if (Status done = record(options, *cell, *store, context); !done) {
-            return forward_error(done.error());
-        }
+        ProgressBar bar(context);
+        const auto before = [&](int capture, Cell& of) {
+            return move_arm(options, capture, of, context);
+        };
+        Status done = record_environment(*cell, *store, options.captures, before, bar.progress());
+        if (!done) return forward_error(done.error());
     }
     const auto session = open_session(options.out);
     if (!session) return forward_error(session.error());

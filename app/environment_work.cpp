@@ -5,6 +5,7 @@
 #include "app/console.h"
 #include "app/progress_bar.h"
 #include "app/threads.h"
+#include "app/turn_session.h"
 #include "app/turn_work.h"
 #include "core/base/atomic_file.h"
 #include "core/base/units.h"
@@ -146,15 +147,52 @@ Result<EnvironmentModel> learn_environment(const Session& session, const Progres
     return learner.finish({progress.stop, {}}, for_each);
 }
 
+Result<SessionStore> begin_environment(const fs::path& folder, const CellOptions& options,
+                                       const Cell& cell, bool arm_in_view) {
+    SessionSpec spec;
+    spec.kind = SessionKind::kEnvironment;
+    spec.region = cell.region;
+    const std::array opening{
+        JournalRecord{"cell", journal_fields(options)},
+        JournalRecord{"environment", {{"arm_in_view", arm_in_view ? "yes" : "no"}}}};
+    auto store = SessionStore::create(folder, spec, cell.rig, GRIPSCAN_VERSION, opening);
+    if (!store) return store;
+    if (Status kept = keep_alignment(folder, cell); !kept) return forward_error(kept.error());
+    return store;
+}
+
+Status record_environment(Cell& cell, SessionStore& store, int captures,
+                          const std::function<Status(int capture, Cell& cell)>& before,
+                          const Progress& progress) {
+    std::vector<CaptureRecord> records;
+    for (int i = 0; i < captures; ++i) {
+        progress.tell("capture", static_cast<std::size_t>(i), static_cast<std::size_t>(captures));
+        if (progress.stop.stop_requested()) return cancelled_error();
+        if (Status moved = before(i, cell); !moved) return moved;
+        const auto frame = cell.camera->grab({i, 1, 0});
+        if (!frame) return forward_error(frame.error());
+        if (Status stored = store.store_images(i, 1, *frame); !stored) return stored;
+        CaptureRecord capture;
+        capture.index = i;
+        capture.t_s = frame->t_s;
+        records.push_back(capture);
+    }
+    return store.save_table(records);
+}
+
+Status write_environment(const EnvironmentModel& model, const fs::path& out) {
+    if (Status target = check_target(out); !target) return target;
+    return replace_folder_atomically(out, [&](const fs::path& fresh) -> Status {
+        if (Status s = save_environment(fresh / kModelFile, model); !s) return s;
+        return write_file_atomically(fresh / kSummaryFile, summary_of(model).dump(1) + "\n");
+    });
+}
+
 Result<ExitStatus> deliver_environment(const EnvironmentModel& model, const fs::path& out,
                                        const Context& context) {
-    if (Status target = check_target(out); !target) return forward_error(target.error());
-    ordered_json summary = summary_of(model);
-    const Status written = replace_folder_atomically(out, [&](const fs::path& fresh) -> Status {
-        if (Status s = save_environment(fresh / kModelFile, model); !s) return s;
-        return write_file_atomically(fresh / kSummaryFile, summary.dump(1) + "\n");
-    });
+    const Status written = write_environment(model, out);
     if (!written) return forward_error(written.error());
+    ordered_json summary = summary_of(model);
     const std::string file = (absolute_path(out) / kModelFile).string();
     if (context.options.json) {
         summary["path"] = file;

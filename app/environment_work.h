@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "app/context.h"
 #include "app/open_cell.h"
 #include "core/scene/environment_learner.h"
 #include "core/scene/scene_survey.h"
 #include "core/session/session.h"
+#include "core/session/session_store.h"
 #include "core/stereo/rectifier.h"
 
 namespace gripscan::app {
@@ -25,7 +27,19 @@ namespace gripscan::app {
                                                          const Progress& progress,
                                                          const ForEach& for_each);
 
-/// Writes environment.bin and environment.json as a whole folder, prints JSON or text.
+/// Begins a session of kind environment in a folder of its own.
+[[nodiscard]] Result<SessionStore> begin_environment(const std::filesystem::path& folder,
+                                                     const CellOptions& options, const Cell& cell,
+                                                     bool arm_in_view);
+/// Takes the captures and writes the table; `before` makes the arm stand elsewhere.
+[[nodiscard]] Status record_environment(
+    Cell& cell, SessionStore& store, int captures,
+    const std::function<Status(int capture, Cell& cell)>& before, const Progress& progress);
+/// Writes environment.bin and environment.json as a whole folder.
+[[nodiscard]] Status write_environment(const EnvironmentModel& model,
+                                       const std::filesystem::path& out);
+
+/// The same, and prints JSON or text.
 [[nodiscard]] Result<ExitStatus> deliver_environment(const EnvironmentModel& model,
                                                      const std::filesystem::path& out,
                                                      const Context& context);

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "app/number_checks.h"
-#include "core/base/units.h"
 #include "core/cloud/cloud_file.h"
 #include "core/procedure/turn_workspace.h"
+#include "core/session/capture_joints.h"
 #include "core/session/session.h"
 #include "core/stereo/depth_cloud.h"
 
@@ -19,15 +19,6 @@ Result<Cloud> load_file(const SceneOptions& options) {
     return load_depth_cloud(options.scene,
                             {options.intrinsics[0], options.intrinsics[1], options.intrinsics[2],
                              options.intrinsics[3], options.depth_scale.value_or(1000.0)});
-}
-
-std::optional<JointAngles> joints_of(const CaptureRow& row) {
-    JointAngles joints{};
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (!row.joints_deg[i]) return std::nullopt;
-        joints[i] = rad_from_deg(*row.joints_deg[i]);
-    }
-    return joints;
 }
 
 Result<std::vector<InputView>> load_session(const SceneOptions& options, const Progress& progress,
@@ -45,7 +36,7 @@ Result<std::vector<InputView>> load_session(const SceneOptions& options, const P
         auto prepared = workspace->prepare(capture, progress, for_each);
         if (!prepared) return forward_error(prepared.error());
         views.push_back(
-            {capture.index, std::move(prepared->view.cloud), joints_of(session->table.rows[i])});
+            {capture.index, std::move(prepared->view.cloud), joints_rad(session->table.rows[i])});
     }
     if (views.empty() && options.capture) {
         return input_error("{} has no capture {}", options.scene, *options.capture);

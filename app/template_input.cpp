@@ -33,11 +33,9 @@ Result<std::vector<LoadedTemplate>> load_library(const fs::path& folder, const P
     std::vector<LoadedTemplate> all;
     for (const LibraryEntry& entry : library->entries) {
         progress.tell("preparing templates", all.size(), library->entries.size());
-        const auto cloud = load_entry(*library, entry);
-        if (!cloud) return forward_error(cloud.error());
-        auto model = make_template_model(entry.name, *cloud, {}, progress, for_each);
-        if (!model) return forward_error(model.error());
-        all.push_back({std::move(*model), entry.kind, entry.held, entry.T_tool_template});
+        auto prepared = prepare_template(*library, entry, progress, for_each);
+        if (!prepared) return forward_error(prepared.error());
+        all.push_back(std::move(*prepared));
     }
     if (all.empty()) return input_error("the library {} holds no templates", folder.string());
     return all;
@@ -53,6 +51,15 @@ void add_template_options(CLI::App& command, TemplateOptions& options) {
                                     "All templates of a library (see `gripscan library`)")
                         ->option_text("DIR");
     files->excludes(library);
+}
+
+Result<LoadedTemplate> prepare_template(const Library& library, const LibraryEntry& entry,
+                                        const Progress& progress, const ForEach& for_each) {
+    const auto cloud = load_entry(library, entry);
+    if (!cloud) return forward_error(cloud.error());
+    auto model = make_template_model(entry.name, *cloud, {}, progress, for_each);
+    if (!model) return forward_error(model.error());
+    return LoadedTemplate{std::move(*model), entry.kind, entry.held, entry.T_tool_template};
 }
 
 Result<std::vector<LoadedTemplate>> load_templates(const TemplateOptions& options,

@@ -28,6 +28,12 @@ struct LoadedTemplate {
     std::optional<Pose> T_tool_template;  ///< of a gripper in a library
 };
 
+/// One of a library. Errors: points that are not those of the sidecar; cancelled.
+[[nodiscard]] Result<LoadedTemplate> prepare_template(const Library& library,
+                                                      const LibraryEntry& entry,
+                                                      const Progress& progress,
+                                                      const ForEach& for_each);
+
 /// Reads and prepares them. Errors: neither or both ways given, files that cannot be read.
 [[nodiscard]] Result<std::vector<LoadedTemplate>> load_templates(const TemplateOptions& options,
                                                                  const Progress& progress,

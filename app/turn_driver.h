@@ -25,6 +25,6 @@ struct DrivenTurn {
 };
 
 [[nodiscard]] Result<DrivenTurn> drive_turn(Engine& engine, const DriverOptions& options,
-                                         const Context& context);
+                                            const Context& context);
 
 }  // namespace gripscan::app

@@ -57,6 +57,7 @@ class TurnRun {
     [[nodiscard]] const CellOptions& cell_options() const { return options_; }
     [[nodiscard]] const SessionStore& store() const { return session_.store; }
     [[nodiscard]] bool resumed() const { return resumed_; }
+    [[nodiscard]] SessionKind kind() const { return session_.spec.kind; }
 
   private:
     class Keeper;

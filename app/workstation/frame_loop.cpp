@@ -72,7 +72,10 @@ ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
 void FrameLoop::prepare_for(const ui::Request& request) {
     if (const auto* show = std::get_if<ui::request::Show>(&request)) {
         if (show->dialog == ui::Dialog::kNewSession) {
-            screen_.new_session.typed.simulated = !show->cell_file;
+            ui::TypedSession& typed = screen_.new_session.typed;
+            typed.simulated = !show->cell_file;
+            typed.wish.object = show->object;
+            if (show->object) typed.gripper = station_.gripper_to_hold_with().string();
         }
     } else if (std::holds_alternative<ui::request::Quit>(request)) {
         screen_.close.quits = true;

@@ -52,6 +52,14 @@ void JobList::cancel_all() {
     for (const auto& job : jobs_) job->thread.request_stop();
 }
 
+void JobList::stop(const std::string& name) {
+    for (const auto& job : jobs_) {
+        if (job->name == name) job->thread.request_stop();
+    }
+    // The thread is joined with its job.
+    std::erase_if(jobs_, [&](const auto& job) { return job->name == name; });
+}
+
 bool JobList::running(const std::string& name) const {
     return std::ranges::any_of(
         jobs_, [&](const auto& job) { return job->name == name && !job->unwanted; });

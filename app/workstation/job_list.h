@@ -34,6 +34,8 @@ class JobList {
     /// Runs the outcomes that have come. On the window's thread.
     void pump();
     void cancel_all();
+    /// Ends those of that name and waits for them; their outcome is not taken.
+    void stop(const std::string& name);
     [[nodiscard]] bool running(const std::string& name) const;
 
     struct Shown {

@@ -148,14 +148,31 @@ std::shared_ptr<const ComputedTurn> LiveTurn::solved() const {
     return state().solved ? solved_ : nullptr;
 }
 
+Result<SearchedView> LiveTurn::look(const Progress& progress, const ForEach& for_each) {
+    // Below the pictures of the warm-up and of the live view: noise of its own.
+    constexpr int kFirstLook = -1000000;
+    FrameRequest request;
+    request.capture = kFirstLook - looks_++;
+    const auto frame = run_->camera().grab(request);
+    if (!frame) return forward_error(frame.error());
+    auto view = searched_view(run_->cell().rig, *frame, progress, for_each);
+    if (!view) return view;
+    const std::lock_guard lock(mutex_);
+    if (beat_) view->joints_rad = beat_->joints_rad;
+    return view;
+}
+
 void LiveTurn::show_in(ui::Snapshot& snapshot) const {
     const std::lock_guard lock(mutex_);
     const CellOptions& options = run_->cell_options();
     snapshot.session =
-        ui::SessionFacts{folder_, folder_.filename().string(),
+        ui::SessionFacts{folder_,
+                         folder_.filename().string(),
                          options.simulated() ? "simulated cell"
                                              : std::filesystem::path(options.cell).stem().string(),
-                         false, (folder_ / "results").string()};
+                         false,
+                         (folder_ / "results").string(),
+                         run_->kind() == SessionKind::kObject};
     snapshot.procedure = &state();
     snapshot.captures = seen_.all();
     snapshot.solved = state().solved ? solved_ : nullptr;

@@ -1,10 +1,12 @@
 // The turn that is being recorded, as the window holds it: the run, and what can be shown of it.
 #pragma once
 
+#include <atomic>
 #include <memory>
 
 #include "app/turn_run.h"
 #include "app/workstation/live_view.h"
+#include "app/workstation/searched_view.h"
 #include "app/workstation/seen_captures.h"
 #include "app/workstation/step_clock.h"
 
@@ -33,6 +35,10 @@ class LiveTurn {
     [[nodiscard]] const CellOptions& cell_options() const { return run_->cell_options(); }
     /// For the captures as they are: another step makes it a thing of the past. Null: not solved.
     [[nodiscard]] std::shared_ptr<const ComputedTurn> solved() const;
+    /// Takes a view of all that the camera sees, for recognition. From any thread while the turn is
+    /// open.
+    [[nodiscard]] Result<SearchedView> look(const Progress& progress, const ForEach& for_each);
+    [[nodiscard]] std::optional<Pose> T_robot_camera() const { return run_->cell().T_robot_camera; }
     /// Fills what the turn knows.
     void show_in(ui::Snapshot& snapshot) const;
 
@@ -53,6 +59,7 @@ class LiveTurn {
     decltype(Progress::report) opening_;          ///< the job's, while the turn is opened
     double part_ = -1.0;                          ///< of the work that goes on
     std::string stage_;
+    std::atomic<int> looks_ = 0;
     StepClock clock_;
     std::unique_ptr<TurnRun> run_;
 };

@@ -1,8 +1,10 @@
 #include "app/workstation/recorded_turn.h"
 
+#include "app/session_settings.h"
 #include "app/turn_session.h"
 #include "core/base/units.h"
 #include "core/cloud/cloud_file.h"
+#include "core/session/capture_joints.h"
 #include "core/session/session.h"
 
 namespace gripscan::app {
@@ -19,12 +21,7 @@ CaptureRecord record_of(const CaptureRow& row) {
     record.note = row.note;
     record.t_s = row.t_s.value_or(0.0);
     if (row.j6_after_deg) record.joint6_after_rad = rad_from_deg(*row.j6_after_deg);
-    RobotReading reading;
-    for (std::size_t i = 0; i < reading.joints_rad.size(); ++i) {
-        if (!row.joints_deg[i]) return record;
-        reading.joints_rad[i] = rad_from_deg(*row.joints_deg[i]);
-    }
-    record.before = reading;
+    if (const auto joints = joints_rad(row)) record.before.emplace().joints_rad = *joints;
     return record;
 }
 
@@ -60,8 +57,9 @@ struct Computed {
 Result<Computed> compute(const Session& session, const Progress& progress,
                          const ForEach& for_each) {
     const TurnRecording recording = recording_of(session);
-    auto workspace =
-        TurnWorkspace::create(recording.rig, recording.region, compute_settings_of(session));
+    auto settings = session_settings(session, {});
+    if (!settings) return forward_error(settings.error());
+    auto workspace = TurnWorkspace::create(recording.rig, recording.region, *settings);
     if (!workspace) return forward_error(workspace.error());
     SeenCaptures seen([] {});
     if (recording.rig) {
@@ -98,17 +96,16 @@ Result<RecordedTurn> load_recorded_turn(const fs::path& folder, const Progress& 
                                         const ForEach& for_each) {
     auto session = open_session(folder);
     if (!session) return forward_error(session.error());
-    if (session->spec.kind != SessionKind::kGripper) {
-        return input_error(
-            "{}: a session of kind {} cannot be shown by this version; kind gripper "
-            "can",
-            (folder / "session.yaml").string(), word(session->spec.kind));
+    const bool object = session->spec.kind == SessionKind::kObject;
+    if (session->spec.kind != SessionKind::kGripper && !object) {
+        return input_error("{}: a session of kind {} is no turn; kinds gripper and object are",
+                           (folder / "session.yaml").string(), word(session->spec.kind));
     }
     auto computed = compute(*session, progress, for_each);
     if (!computed) return forward_error(computed.error());
     RecordedTurn recorded;
-    recorded.facts = {folder, folder.filename().string(), "recording", true,
-                      (folder / "results").string()};
+    recorded.facts = {folder, folder.filename().string(),    "recording",
+                      true,   (folder / "results").string(), object};
     recorded.captures = std::move(computed->captures);
     recorded.solved = std::make_shared<ComputedTurn>(std::move(computed->turn));
     const TurnReport& report = recorded.solved->report;

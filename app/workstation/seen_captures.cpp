@@ -55,6 +55,7 @@ void SeenCaptures::add(const RecordedCapture& capture, const PreparedCapture& pr
     shown.index = capture.index;
     shown.attempt = capture.attempts;
     shown.cloud = std::make_shared<Cloud>(prepared.view.cloud);
+    shown.split = prepared.split;
     shown.picture = picture_of(capture, prepared, rectifier.get());
     {
         const std::lock_guard lock(mutex_);

@@ -55,10 +55,10 @@ struct Workstation::Taker {
         self.filter_ = r.filter;
         self.refresh_filter();
     }
-    // Asked for by the Recognise page, which nothing leads to before the library is there.
-    void operator()(const ui::request::Recognise&) const {}
-    void operator()(const ui::request::LibraryAdd&) const {}
-    void operator()(const ui::request::LibraryRemove&) const {}
+    void operator()(const ui::request::Recognise& r) const { self.recognise(r.capture); }
+    void operator()(const ui::request::LearnEnvironment&) const { self.learn_environment(); }
+    void operator()(const ui::request::LibraryAdd&) const { self.add_to_library(); }
+    void operator()(const ui::request::LibraryRemove& r) const { self.desk_.remove(r.name); }
     void operator()(const ui::request::WantResiduals& r) const { self.residuals_.want(r.on); }
     void operator()(const ui::request::CopyText& r) const {
         self.wish_.clipboard = r.text;

@@ -6,6 +6,7 @@
 #include "app/workstation/export_template.h"
 #include "core/base/atomic_file.h"
 #include "core/report/results_folder.h"
+#include "core/sim/sim_cell.h"
 #include "ui/views/key_bindings.h"
 
 namespace gripscan::app {
@@ -39,6 +40,7 @@ CellOptions cell_options_of(const ui::SessionWish& wish) {
     options.speed_percent = wish.speed_percent;
     options.seed = wish.seed;
     options.faults = wish.faults;
+    options.object = wish.sim_object;
     return options;
 }
 
@@ -51,7 +53,15 @@ bool moving(const ProcedureState& state) {
 }  // namespace
 
 Workstation::Workstation(WorkstationSettings settings)
-    : settings_(std::move(settings)), recent_(settings_.files.state), jobs_(settings_.wake) {
+    : settings_(std::move(settings)),
+      recent_(settings_.files.state),
+      desk_(settings_.files.sessions / "library", settings_.threads, jobs_,
+            [this](std::string title, const Error& error) { fail(std::move(title), error, ""); }),
+      environment_(
+          settings_.files.sessions, settings_.threads, jobs_,
+          [this](std::string title, const Error& error) { fail(std::move(title), error, ""); }),
+      jobs_(settings_.wake) {
+    desk_.refresh();
     preferences_ = settings_.preferences.stored;
     for (const std::string& sentence : settings_.preferences.refused) {
         log(LogLevel::kWarning, "SET-010", sentence);
@@ -126,6 +136,8 @@ ui::Snapshot Workstation::snapshot() const {
     }
     shown.residuals_wanted = residuals_.wanted();
     residuals_.attach(shown.captures);
+    desk_.show_in(shown);
+    environment_.show_in(shown);
     if (const auto job = jobs_.shown()) {
         shown.job = ui::ShownJob{job->name, job->part, job->elapsed_s, true};
     }
@@ -143,6 +155,8 @@ ui::Snapshot Workstation::snapshot() const {
     shown.filter = filter_;
     if (shown.solved && shown_template_.whole) shown.shown_template = shown_template_;
     shown.last_export = last_export_;
+    static const std::vector<std::string> kObjects = sim_objects();
+    shown.sim_objects = kObjects;
     shown.keys = ui::key_bindings(preferences_.preferences);
     shown.version = GRIPSCAN_VERSION;
     return shown;
@@ -162,6 +176,7 @@ double Workstation::next_change_s(double now_s) const {
 void Workstation::close_turn() {
     const LiveTurn* turn = live();
     const fs::path folder = turn != nullptr ? turn->folder() : fs::path();
+    desk_.leave_session();  // it may be using the camera
     turn_ = std::monostate{};
     turn_log_ = {};
     residuals_.forget();
@@ -177,8 +192,10 @@ void Workstation::close_turn() {
 void Workstation::begin(const ui::SessionWish& wish) {
     TurnRunOptions options;
     options.cell = cell_options_of(wish);
-    options.out =
-        wish.folder.empty() ? new_session_folder(settings_.files.sessions, "gripper") : wish.folder;
+    options.out = wish.folder.empty() ? new_session_folder(settings_.files.sessions,
+                                                           wish.object ? "object" : "gripper")
+                                      : wish.folder;
+    options.gripper = wish.gripper;
     open_live(std::move(options), "Opening the cell");
 }
 
@@ -242,6 +259,17 @@ void Workstation::open(const fs::path& path) {
                         refresh_filter();
                     };
                 });
+}
+
+fs::path Workstation::gripper_to_hold_with() const {
+    const ui::Snapshot shown = snapshot();
+    if (shown.session && !shown.session->object && shown.solved) return shown.session->folder;
+    for (const ui::RecentSession& recent : recent_shown_) {
+        if (recent.kind == "gripper" && recent.end == ui::RecentSession::End::kComplete) {
+            return recent.folder;
+        }
+    }
+    return {};
 }
 
 void Workstation::give(const Command& command) {
@@ -315,6 +343,64 @@ void Workstation::refresh_filter() {
                         refresh_filter();
                     };
                 });
+}
+
+void Workstation::recognise(std::optional<int> capture) {
+    const ui::Snapshot shown = snapshot();
+    if (!shown.session || shown.procedure == nullptr) return;
+    SearchRequest request;
+    request.capture = capture;
+    request.session = shown.session->folder;
+    request.T_robot_camera = shown.cell.T_robot_camera;
+    request.environment = environment_.model();
+    request.region = shown.cell.region;
+    const auto used = shown.procedure->data.used();
+    if (!used.empty()) {
+        const auto& first = shown.procedure->data.captures[used.front()].before;
+        if (first) request.first_joint6_rad = first->joints_rad[5];
+    }
+    if (!capture) {
+        LiveTurn* turn = live();
+        if (turn == nullptr) return;
+        request.view = [turn](const Progress& progress, const ForEach& for_each) {
+            return turn->look(progress, for_each);
+        };
+        desk_.recognise(std::move(request));
+        return;
+    }
+    const auto seen = std::ranges::find(shown.captures, *capture, &ui::ShownCapture::index);
+    if (seen == shown.captures.end() || !seen->cloud) return;
+    SearchedView view{*seen->cloud, seen->picture, std::nullopt};
+    const CaptureRecord* record = shown.procedure->data.find(*capture);
+    if (record != nullptr && record->before) view.joints_rad = record->before->joints_rad;
+    request.view = [view](const Progress&, const ForEach&) -> Result<SearchedView> { return view; };
+    desk_.recognise(std::move(request));
+}
+
+void Workstation::learn_environment() {
+    const LiveTurn* turn = live();
+    if (turn == nullptr) return;
+    environment_.learn(turn->cell_options(), [this] {
+        toast(LogLevel::kInformation, "toast.environment", "Environment learned",
+              "What comes into the registration area is told from it.");
+        log(LogLevel::kInformation, "ENV-001", "The environment was learned");
+    });
+}
+
+void Workstation::add_to_library() {
+    const ui::Snapshot shown = snapshot();
+    if (!shown.session || shown.procedure == nullptr) return;
+    std::optional<Pose> T_tool;
+    const auto used = shown.procedure->data.used();
+    if (shown.cell.T_robot_camera && !used.empty()) {
+        const auto& first = shown.procedure->data.captures[used.front()].before;
+        if (first) T_tool = T_tool_template(*shown.cell.T_robot_camera, first->joints_rad);
+    }
+    desk_.add(shown.session->folder, T_tool, [this](const std::string& name) {
+        toast(LogLevel::kInformation, "toast.library", "In the library", name);
+        log(LogLevel::kInformation, "LIB-001",
+            fmt::format("{} is in the library {}", name, desk_.folder().string()));
+    });
 }
 
 void Workstation::export_as(const ui::ExportWish& wish) {

@@ -8,8 +8,10 @@
 #include <optional>
 #include <variant>
 
+#include "app/workstation/environment_desk.h"
 #include "app/workstation/job_list.h"
 #include "app/workstation/live_turn.h"
+#include "app/workstation/recognition_desk.h"
 #include "app/workstation/recorded_turn.h"
 #include "app/workstation/session_files.h"
 #include "app/workstation/turn_log.h"
@@ -59,6 +61,9 @@ class Workstation {
     [[nodiscard]] bool busy() const;
     /// When something changes by itself, s from now; infinity: nothing does.
     [[nodiscard]] double next_change_s(double now_s) const;
+    /// The session of the gripper for an object's turn: the one that is open, else the one used
+    /// last whose turn is complete. Empty: there is none.
+    [[nodiscard]] std::filesystem::path gripper_to_hold_with() const;
     void toast(ui::LogLevel level, std::string id, std::string title, std::string text);
 
   private:
@@ -75,6 +80,9 @@ class Workstation {
     void hold(bool held);
     void export_as(const ui::ExportWish& wish);
     void refresh_filter();
+    void recognise(std::optional<int> capture);
+    void add_to_library();
+    void learn_environment();
     void refresh_recent();
     void set_preferences(const ui::WindowPreferences& changed);
     void write_file(const std::string& name, const std::function<std::string()>& text);
@@ -101,6 +109,8 @@ class Workstation {
     ui::ShownTemplate shown_template_;
     std::shared_ptr<const ComputedTurn> filtered_turn_;  ///< what shown_template_ was made of
     ViewResiduals residuals_;
+    RecognitionDesk desk_;
+    EnvironmentDesk environment_;
     std::string last_export_;
     WindowWish wish_;
     double now_s_ = 0.0;

@@ -43,6 +43,12 @@ const LibraryEntry* Library::find(const std::string& name) const {
     return found == entries.end() ? nullptr : &*found;
 }
 
+Result<Library> open_or_begin_library(const fs::path& folder) {
+    std::error_code code;
+    if (!fs::exists(folder, code)) return Library{folder, {}};
+    return open_library(folder);
+}
+
 Result<Library> open_library(const fs::path& folder) {
     std::error_code code;
     if (!fs::is_directory(folder, code)) {

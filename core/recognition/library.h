@@ -51,6 +51,8 @@ struct Library {
 /// Reads every sidecar. A folder that is absent is an error, an empty one is not. The message
 /// names the sidecar and what is wrong with it.
 [[nodiscard]] Result<Library> open_library(const std::filesystem::path& folder);
+/// The same, but an absent folder is an empty library: the first template makes it.
+[[nodiscard]] Result<Library> open_or_begin_library(const std::filesystem::path& folder);
 
 /// The points, checked against the sum in the sidecar.
 [[nodiscard]] Result<Cloud> load_entry(const Library& library, const LibraryEntry& entry);

@@ -20,6 +20,9 @@ constexpr double kSameShift = 0.06;  ///< of the diameter
 /// Flat faces on larger flat ones show half to three quarters of their outline, parts that are
 /// there nine tenths; a gripper goes on into the arm on one side.
 constexpr double kLeastOutline = 0.78;
+/// Of the surface that was measured there, the share that the camera looks through: a part that is
+/// there shows edges and noise of some hundredths, another part of about its shape what it lacks.
+constexpr double kMostContradicted = 0.08;
 /// Share of a detection's points that a better one may own already.
 constexpr double kMostShared = 0.4;
 
@@ -155,6 +158,8 @@ std::size_t shared(const std::vector<std::uint32_t>& points, const std::vector<c
 }
 
 bool good_enough(const Detection& d, const RecogniseSettings& settings) {
+    const VisibleAgreement& a = d.agreement;
+    if (a.contradicted > kMostContradicted * (a.seen + a.contradicted + a.mismatched)) return false;
     return d.agreement.outline() >= kLeastOutline && d.score >= settings.least_score &&
            d.agreement.found() >= settings.least_found;
 }

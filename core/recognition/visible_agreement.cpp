@@ -63,7 +63,10 @@ void judge_outline(const PredictedView& view, const SceneView& scene, float tole
         const int row = s.at.row + static_cast<int>(std::lround(step.y()));
         if (!scene.map.inside(column, row)) continue;
         const std::int32_t k = scene.map.point_at(column, row);
-        if (k < 0) continue;
+        if (k < 0) {
+            ++a.outline_open;
+            continue;
+        }
         const auto j = static_cast<std::size_t>(k);
         const float beyond = scene.map.depth_m(j) - s.at.depth_m;
         const float off_plane = std::abs(s.normal.dot(scene.points.points[j] - s.point));
@@ -106,8 +109,12 @@ double VisibleAgreement::found() const {
 }
 
 double VisibleAgreement::outline() const {
-    // Four undecided places are added: a pose whose outline nobody can judge has shown none of it.
-    return (outline_ends + 2.0) / (outline_ends + outline_goes_on + 4.0);
+    // Stereo measures nothing beside many edges, and a cropped scene nothing beyond its part: where
+    // the scene is open it ends rather than goes on. Four undecided places are added: a pose whose
+    // outline nobody can judge has shown none of it.
+    constexpr double kOpenShare = 0.7;
+    const double ends = outline_ends + kOpenShare * outline_open;
+    return (ends + 2.0) / (ends + outline_goes_on + 4.0);
 }
 
 double VisibleAgreement::score() const {

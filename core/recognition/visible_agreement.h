@@ -22,6 +22,7 @@ struct VisibleAgreement {
     /// surface goes on as if the part had no edge.
     int outline_ends = 0;
     int outline_goes_on = 0;
+    int outline_open = 0;  ///< places where nothing is measured beyond: the scene may end there
 
     /// Of what could be judged, the share that agrees.
     [[nodiscard]] double support() const;

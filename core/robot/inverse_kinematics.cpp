@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/units.h"
 
@@ -95,12 +96,15 @@ std::vector<double> turns_in_range(double angle_rad, const JointRange& range) {
     return found;
 }
 
-/// Joint 2 and the elbow's own angle as their motors count them: within the range if any full turn
-/// is.
-void count_as_motors(JointAngles& q) {
-    q[1] = turns_in_range(q[1], joint_ranges()[1]).front();
-    const double elbow = turns_in_range(q[2] + q[1], joint_ranges()[2]).front();
-    q[2] = elbow - q[1];
+/// Joints 2 and 3 as their motors may count them: within the range if any full turn is. The elbow's
+/// own angle, which is their sum, has a range of more than a turn.
+std::vector<std::pair<double, double>> counted_as_motors(double j2_rad, double j3_rad) {
+    std::vector<std::pair<double, double>> ways;
+    const double j2 = turns_in_range(j2_rad, joint_ranges()[1]).front();
+    for (const double elbow : turns_in_range(j3_rad + j2_rad, joint_ranges()[2])) {
+        ways.emplace_back(j2, elbow - j2);
+    }
+    return ways;
 }
 
 double largest_motion(const JointAngles& a, const JointAngles& b) {
@@ -126,18 +130,23 @@ std::vector<ArmSolution> inverse_kinematics(const Pose& T_world_tool, const Join
             Eigen::AngleAxisd(arm.j1, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
             about_y(-arm.j3);
         const Eigen::Matrix3d R = R_world_link3.transpose() * T_world_link6.linear();
-        for (const WristAngles& wrist : wrist_angles(R, near_rad[3])) {
-            for (const double j4 : turns_in_range(wrist.j4, joint_ranges()[3])) {
-                for (const double j6 : turns_in_range(wrist.j6, joint_ranges()[5])) {
-                    ArmSolution solution;
-                    solution.joints_rad = {arm.j1, arm.j2, arm.j3, j4, wrist.j5, j6};
-                    count_as_motors(solution.joints_rad);
-                    solution.front = arm.front;
-                    solution.elbow_up = arm.elbow_up;
-                    solution.wrist_positive = wrist.j5 > 0.0;
-                    const Status in_range = check_joint_ranges(solution.joints_rad);
-                    if (!in_range) solution.obstacle = in_range.error().message;
-                    all.push_back(std::move(solution));
+        const auto add = [&](const std::pair<double, double>& j23, double j4, double j5,
+                             double j6) {
+            ArmSolution solution;
+            solution.joints_rad = {arm.j1, j23.first, j23.second, j4, j5, j6};
+            solution.front = arm.front;
+            solution.elbow_up = arm.elbow_up;
+            solution.wrist_positive = j5 > 0.0;
+            const Status in_range = check_joint_ranges(solution.joints_rad);
+            if (!in_range) solution.obstacle = in_range.error().message;
+            all.push_back(std::move(solution));
+        };
+        for (const auto& j23 : counted_as_motors(arm.j2, arm.j3)) {
+            for (const WristAngles& wrist : wrist_angles(R, near_rad[3])) {
+                for (const double j4 : turns_in_range(wrist.j4, joint_ranges()[3])) {
+                    for (const double j6 : turns_in_range(wrist.j6, joint_ranges()[5])) {
+                        add(j23, j4, wrist.j5, j6);
+                    }
                 }
             }
         }

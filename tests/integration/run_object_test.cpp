@@ -33,40 +33,6 @@ Arguments turn(const fs::path& session, const Arguments& more = {}) {
     return arguments;
 }
 
-/// Killed in the middle, resumed, and computed again: the same to the last byte.
-TEST(RunObject, RegistersAnObjectAndAReplayFindsTheSame) {
-    const TemporaryFolder folder;
-    const fs::path session = folder / "casting";
-    const auto killed =
-        kill_program(turn(session), [&] { return fs::exists(session / "frames/003_left.png"); });
-    ASSERT_EQ(killed.status, 128 + 9);
-    const auto result =
-        run_program({"run", "object", "--resume", "--out", session.string(), "--json"});
-    ASSERT_EQ(result.status, 0) << result.err << result.out;
-    const auto json = result.json();
-    ASSERT_EQ(json["steps"].size(), 18u);
-    for (const auto& step : json["steps"]) {
-        EXPECT_EQ(step["verdict"], "accept") << step["sentence"];
-        EXPECT_LT(step["grip_slip_mm"].get<double>(), 0.5) << step["index"];
-        EXPECT_LT(step["grip_slip_deg"].get<double>(), 1.0) << step["index"];
-    }
-    EXPECT_THAT(read_text(session / "session.yaml"), HasSubstr("kind: object"));
-    const auto sidecar =
-        nlohmann::json::parse(read_text(session / "results/template.json"), nullptr, false);
-    EXPECT_EQ(sidecar["kind"], "object");
-    EXPECT_THAT(sidecar["gripper"]["check"].get<std::string>(), HasSubstr("fnv1a64:"));
-    // Both turns begin at the same joint angle: the two frames are the same.
-    const auto T = sidecar["gripper"]["T_gripper_object"];
-    ASSERT_EQ(T.size(), 16u);
-    for (std::size_t i = 0; i < 16; ++i) {
-        const bool diagonal = i % 5 == 0;
-        EXPECT_NEAR(T[i].get<double>(), diagonal ? 1.0 : 0.0, i % 4 == 3 ? 2e-3 : 3e-3) << i;
-    }
-    ASSERT_EQ(
-        run_program({"replay", session.string(), "--out", (folder / "again").string()}).status, 0);
-    EXPECT_EQ(content_of(folder / "again"), content_of(session / "results"));
-}
-
 TEST(RunObject, AnObjectThatSlipsStopsTheRun) {
     const TemporaryFolder folder;
     for (const char* fault : {"object_slip@2=1", "object_twist@2=1"}) {

@@ -17,6 +17,7 @@
 #include "ui/panels/new_session_dialog.h"
 #include "ui/panels/note_dialog.h"
 #include "ui/panels/open_dialog.h"
+#include "ui/panels/recognise_page.h"
 #include "ui/panels/settings_dialog.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/template_page.h"
@@ -239,6 +240,94 @@ TEST(SettingsLook, LooksAndKeys) {
     dialog({"keys-dark_100", 740, 540}, [&](const Ui& ui, const Rect& rect, Requests& out) {
         draw_keys_overlay(ui, rect, snapshot, overlay, out);
     });
+}
+
+/// A gripper and an object found in one view.
+Snapshot recognised_snapshot() {
+    Snapshot snapshot;
+    snapshot.page = ui::Page::kRecognise;
+    snapshot.session =
+        ui::SessionFacts{"/data/valve-T20", "valve-T20", "simulated cell", false, {}};
+    static const ProcedureState kState = sample_cell_state(SampleCell::kPassed);
+    snapshot.procedure = &kState;
+    snapshot.cell = sample_cell_frame();
+    snapshot.library = {
+        {"gripper-G2", ui::TemplateKind::kGripper, 41180, "none", "", ""},
+        {"valve-T18", ui::TemplateKind::kObject, 18210, "none", "held by gripper-G2",
+         "valve-T18 was registered with another template of gripper-G2"},
+        {"valve-T20", ui::TemplateKind::kObject, 21604, "2-fold", "held by gripper-G2", ""}};
+    auto shown = std::make_shared<ui::ShownRecognition>();
+    shown->view = 3;
+    shown->seconds = 0.42;
+    shown->looked_for = 3;
+    shown->least_score = 0.45;
+    shown->least_found = 0.25;
+    const auto found = [&](const char* name, ui::TemplateKind kind, double x_m) {
+        ui::FoundTemplate f;
+        f.name = name;
+        f.kind = kind;
+        f.T_camera_template.linear() = rotation_from_euler({0.4, -0.2, 0.1});
+        f.T_camera_template.translation() = Eigen::Vector3d(x_m, 0.01, 0.74);
+        f.T_robot_template = turn_about(Axis{}, 1.2) * f.T_camera_template;
+        f.T_gripper_template = turn_about(Axis{}, 0.2);
+        f.score = 0.91;
+        f.support = 0.97;
+        f.found = 0.87;
+        f.outline = 0.82;
+        f.rms_m = 0.27e-3;
+        f.tolerance_m = 1.0e-3;
+        f.box = {{-0.03, -0.04, -0.03}, {0.03, 0.04, 0.03}};
+        shown->found.push_back(f);
+    };
+    found("gripper-G2", ui::TemplateKind::kGripper, 0.09);
+    found("valve-T20", ui::TemplateKind::kObject, 0.0);
+    shown->found[1].symmetry = "2-fold";
+    shown->joint6_robot_rad = rad_from_deg(60.004);
+    shown->joint6_gripper_rad = rad_from_deg(60.020);
+    shown->grasp = ui::ShownGrasp{"valve-T20", turn_about(Axis{}, 0.7), true,
+                                  "The arm reaches it with J1 12.5°, J5 −62.0°."};
+    auto picture = std::make_shared<ui::StereoPicture>();
+    picture->left = cv::Mat(960, 1280, CV_8U);
+    for (int y = 0; y < 960; ++y) {
+        for (int x = 0; x < 1280; ++x) {
+            picture->left.at<std::uint8_t>(y, x) =
+                static_cast<std::uint8_t>(90 + (x * 7 + y * 13) % 40);
+        }
+    }
+    picture->right = picture->left;
+    shown->picture = std::move(picture);
+    snapshot.recognition = std::move(shown);
+    return snapshot;
+}
+
+void recognise_page(const Look& look, const Snapshot& snapshot) {
+    ui::RecognisePageState local;
+    expect_look(look, [&](const Ui& ui, const Rect& rect) {
+        Requests out;
+        const auto places = ui::recognise_page_layout(rect, {}, ui.scale);
+        ui::fill(places.view, ui.theme.view_bottom);
+        draw_recognise_page(ui, places, snapshot, nullptr, local, out);
+    });
+}
+
+TEST(RecognisePageLook, WithGripperAndObject) {
+    recognise_page({"recognise-dark_100", 1600, 880}, recognised_snapshot());
+    recognise_page({"recognise-light_100", 1280, 730, 1.0F, kLight}, recognised_snapshot());
+}
+
+TEST(RecognisePageLook, BeforeTheFirstView) {
+    Snapshot snapshot = recognised_snapshot();
+    snapshot.recognition.reset();
+    recognise_page({"recognise-empty-dark_100", 1280, 730}, snapshot);
+}
+
+TEST(RecognisePageLook, WithSomethingInTheWay) {
+    Snapshot snapshot = recognised_snapshot();
+    auto shown = std::make_shared<ui::ShownRecognition>(*snapshot.recognition);
+    shown->strangers = {"something is in the way: 150 x 26 x 11 mm at x 12, y 83, z 640 mm"};
+    shown->found.pop_back();
+    snapshot.recognition = shown;
+    recognise_page({"recognise-strange-dark_200", 800, 500, 2.0F}, snapshot);
 }
 
 }  // namespace

@@ -6,21 +6,9 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 out=${1:?usage: animation.sh OUT}
-gripscan=$PWD/build/release/bin/gripscan
 command -v convert >/dev/null || { echo "convert is missing; install imagemagick" >&2; exit 2; }
-[[ -e $out ]] && { echo "$out exists; choose another folder" >&2; exit 2; }
-mkdir -p "$out"
-out=$(cd "$out" && pwd)
-export HOME=$out/home XDG_STATE_HOME=$out/home/state XDG_CONFIG_HOME=$out/home/config
-export LIBGL_ALWAYS_SOFTWARE=1
-mkdir -p "$HOME"
-
-Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$out/display" 2>/dev/null &
-screen=$!
-trap 'kill $screen 2>/dev/null; true' EXIT
-for _ in $(seq 100); do [[ -s $out/display ]] && break; sleep 0.1; done
-DISPLAY=:$(cat "$out/display")
-export DISPLAY
+source tests/tools/virtual_screen.sh
+open_screen "$out"
 
 n=100
 shot() {

@@ -171,10 +171,6 @@ void OutsideDriver::type(const std::string& text) const {
     std::this_thread::sleep_for(100ms);
 }
 
-void OutsideDriver::close_window() const {
-    run_xdotool({"search", "--name", "gripscan", "windowquit"});
-}
-
 bool OutsideDriver::running() const {
     if (program_ <= 0 || status_) return false;
     int status = 0;

@@ -47,8 +47,6 @@ class OutsideDriver {
     /// As xdotool names it: "space", "Escape", "ctrl+z".
     void key(const std::string& name) const;
     void type(const std::string& text) const;
-    /// As the cross in the corner of its frame does.
-    void close_window() const;
 
     void kill_now();
     /// Waits for the end; the exit status, 128 + signal if it was killed.

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/base/units.h"
+#include "ui/panels/action_button.h"
 #include "ui/panels/panel_parts.h"
 #include "ui/views/cell_view.h"
 #include "ui/widgets/mode_chip.h"
@@ -133,6 +134,23 @@ void draw_camera(Column& c) {
     c.value("Aligned to the robot", cell.T_robot_camera ? "yes" : "no");
 }
 
+void draw_environment(Column& c) {
+    const Ui& ui = c.ui;
+    draw_section(ui, c.x, c.y, "Environment");
+    c.y += ui.em(1.86F);
+    if (const auto& known = c.snapshot.environment) {
+        c.value("Learned from", fmt::format("{} views", known->captures));
+        c.value("Known of the image", shown_number(100.0 * known->known, 1), "%");
+    } else {
+        c.y += draw_rich_text(ui, c.x, c.y, c.width, ui.theme.text_third,
+                              "Not learned. What comes into the registration area is then told "
+                              "from the views alone.",
+                              {FontRole::kSmall, FontRole::kNumberSmall, 1.45F});
+    }
+    c.y += ui.em(0.43F);
+    action_button(ui, c.row(2.14F), action("environment.learn"), c.snapshot, {}, c.out);
+}
+
 void draw_field(Column& c, const TurnPlan& plan, std::size_t index, const PlanField& field,
                 const std::string& why) {
     const Ui& ui = c.ui;
@@ -196,6 +214,8 @@ void draw_cell_column(const Ui& ui, const Rect& column, const Snapshot& snapshot
     draw_robot(c);
     c.separate();
     draw_camera(c);
+    c.separate();
+    draw_environment(c);
     c.separate();
     draw_limits(c);
     scroll.end(c.y + ui.em(0.86F));

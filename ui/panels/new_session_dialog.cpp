@@ -45,6 +45,36 @@ void draw_where(Form& form, TypedSession& typed) {
                      typed.folder);
 }
 
+/// What turns: the gripper alone, or what it holds.
+void draw_part(Form& form, const Snapshot& snapshot, TypedSession& typed) {
+    const std::array<Option, 2> parts{
+        {{"new.gripper", "Gripper"}, {"new.object", "Object in the gripper"}}};
+    SessionWish& wish = typed.wish;
+    if (const auto chosen = segments(form.ui, form.row("Part"), parts, wish.object ? 1 : 0)) {
+        wish.object = *chosen == 1;
+    }
+    if (!wish.object) return;
+    (void)text_input(form.ui, form.row("Gripper"),
+                     {.id = "new.gripper_session",
+                      .label = "Gripper",
+                      .placeholder = "its session folder, or template.pcd",
+                      .icon = Icon::kFolder,
+                      .numbers = true},
+                     typed.gripper);
+    if (!typed.simulated) return;
+    std::vector<std::string> ids;
+    for (const std::string& name : snapshot.sim_objects) ids.push_back("new.holds." + name);
+    std::vector<Option> options;
+    std::size_t now = snapshot.sim_objects.size();
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        options.push_back({ids[i], snapshot.sim_objects[i]});
+        if (snapshot.sim_objects[i] == wish.sim_object) now = i;
+    }
+    if (const auto chosen = segments(form.ui, form.row("It holds"), options, now)) {
+        wish.sim_object = snapshot.sim_objects[*chosen];
+    }
+}
+
 void draw_turn(Form& form, SessionWish& wish) {
     const Ui& ui = form.ui;
     const Rect row = form.row("Step");
@@ -138,10 +168,11 @@ void draw_rights(Form& form, SessionWish& wish) {
 
 }  // namespace
 
-void draw_new_session_dialog(const Ui& ui, const Rect& screen, const Snapshot&,
+void draw_new_session_dialog(const Ui& ui, const Rect& screen, const Snapshot& snapshot,
                              NewSessionState& local, Requests& out) {
     TypedSession& typed = local.typed;
-    const float body = typed.simulated ? 21.6F : typed.wish.live ? 20.0F : 16.6F;
+    const float of_part = !typed.wish.object ? 2.6F : typed.simulated ? 7.8F : 5.2F;
+    const float body = of_part + (typed.simulated ? 24.9F : typed.wish.live ? 20.0F : 16.6F);
     DialogFrame frame(ui, screen,
                       {.id = "dialog.new",
                        .title = "New session",
@@ -149,6 +180,7 @@ void draw_new_session_dialog(const Ui& ui, const Rect& screen, const Snapshot&,
                        .body_height = ui.em(body)});
     Form form(ui, frame.body());
     draw_where(form, typed);
+    draw_part(form, snapshot, typed);
     draw_turn(form, typed.wish);
     if (typed.simulated) {
         draw_faults(form, typed.wish);

@@ -132,7 +132,7 @@ void draw_entry(Column& c, std::size_t i) {
                       button_side, button_side};
     const std::string id = fmt::format("library.remove.{}", i);
     ButtonSpec spec{id, {}, Icon::kClose};
-    spec.tooltip = "Take this template out of the library; its file goes to the library's trash";
+    spec.tooltip = "Delete this template from the library; the session it came from stays";
     if (icon_button(ui, remove, spec)) c.out.push_back(request::LibraryRemove{entry.name});
     const std::string note = entry.stale.empty()
                                  ? shown_count(static_cast<long long>(entry.points)) + " points"

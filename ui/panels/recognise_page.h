@@ -19,7 +19,6 @@ struct RecognisePageLayout {
 
 struct RecognisePageState {
     StereoPanelState image;
-    std::optional<std::size_t> asked_to_remove;  ///< line of the library
 };
 
 /// All but the 3D view. `textures` null: only the words are drawn (no OpenGL).

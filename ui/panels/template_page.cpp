@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "ui/panels/action_button.h"
 #include "ui/panels/panel_parts.h"
 #include "ui/theme/colour_map.h"
 #include "ui/views/template_view.h"
@@ -409,7 +410,8 @@ void draw_template_column(const Ui& ui, const Rect& column, const Snapshot& snap
     fill(column, ui.theme.panel);
     fill({column.x, column.y, static_cast<int>(ui.scale.line()), column.height}, ui.theme.bg0);
     const int side = ui.em(1.0F);
-    const int foot = ui.em(1.86F) + ui.row(3.43F) + side;
+    const int more = ui.row(2.57F) + ui.em(0.57F);  // library, object
+    const int foot = ui.em(1.86F) + ui.row(3.43F) + side + more;
     const Rect region{column.x + static_cast<int>(ui.scale.line()), column.y,
                       column.width - static_cast<int>(ui.scale.line()),
                       std::max(1, column.height - foot)};
@@ -432,7 +434,13 @@ void draw_template_column(const Ui& ui, const Rect& column, const Snapshot& snap
     draw_result(c);
     scroll.end(c.y + ui.em(0.57F));
     draw_separator(ui, column.x, column.bottom() - foot, column.width);
-    draw_export_button(c, {c.x, column.bottom() - foot, c.width, foot});
+    const int gap = ui.em(0.57F);
+    const int half = (c.width - gap) / 2;
+    const Rect left{c.x, column.bottom() - foot + gap, half, ui.row(2.57F)};
+    action_button(ui, left, action("library.add"), snapshot, {}, out);
+    action_button(ui, {left.right() + gap, left.y, c.width - half - gap, left.height},
+                  action("object.register"), snapshot, {}, out);
+    draw_export_button(c, {c.x, column.bottom() - foot + more, c.width, foot - more});
 }
 
 }  // namespace gripscan::ui

@@ -149,6 +149,21 @@ void add_ghost(const LineInput& input, LineBatch& lines) {
     }
 }
 
+/// Of an object's turn: gripper and object in their cuboids.
+void add_split(const LineInput& input, SceneLines& out) {
+    if (!input.parts.split) return;
+    const auto add = [&](const OrientedCuboid& cuboid, const Colour& colour, const char* name) {
+        const Pose T = input.parts.T_first_split * cuboid.T_frame_cuboid;
+        add_box(out.lines, {-cuboid.half_m, cuboid.half_m}, T,
+                {colour, 1.6F, {}, HiddenStyle::kFaint});
+        out.labels.push_back({T * cuboid.half_m, name, {}, colour, 8.0, 0.0});
+    };
+    add(input.parts.split->gripper_cuboid, input.theme.gripper, "gripper, subtracted");
+    if (input.parts.split->object_cuboid) {
+        add(*input.parts.split->object_cuboid, input.theme.object, "object");
+    }
+}
+
 /// Cuboids and frames of the templates that were found.
 void add_found(const LineInput& input, SceneLines& out) {
     if (input.parts.kind != SceneKind::kFound) return;
@@ -193,6 +208,7 @@ SceneLines scene_lines(const LineInput& input) {
     }
     add_crop(input, out);
     add_found(input, out);
+    add_split(input, out);
     if (input.pivot_m) {
         const double half_m = 10.0 * input.px / input.camera.px_per_m(input.viewport);
         add_cross(out.lines, *input.pivot_m, half_m,

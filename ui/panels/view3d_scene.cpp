@@ -12,8 +12,10 @@ const SceneCloud* last_visible(const SceneParts& parts) {
     return found == parts.clouds.rend() ? nullptr : &*found;
 }
 
-bool belongs(const SceneCloud& cloud, PaneContent content, const SceneCloud* last) {
+bool belongs(const SceneCloud& cloud, PaneContent content, const SceneCloud* last, bool of_object) {
     if (content == PaneContent::kAll) return true;
+    // Gripper and object side by side.
+    if (of_object) return (cloud.role == CloudRole::kHolder) == (content == PaneContent::kFirst);
     const bool second =
         cloud.role == CloudRole::kSource || (cloud.role == CloudRole::kView && &cloud == last);
     return second == (content == PaneContent::kSecond);
@@ -46,7 +48,7 @@ std::vector<PointChunk> chunks_of(const SceneParts& parts, PaneContent content,
         // The first view stands at the beginning of step 1 and has its colour.
         chunk.step = static_cast<std::uint16_t>(std::max(1, cloud.step));
         chunk.colour = colour_of(cloud, theme);
-        chunk.visible = cloud.visible && belongs(cloud, content, last);
+        chunk.visible = cloud.visible && belongs(cloud, content, last, parts.split != nullptr);
         chunks.push_back(std::move(chunk));
     }
     return chunks;

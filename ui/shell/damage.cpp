@@ -162,7 +162,6 @@ std::vector<Rect> Damage::next(const ImDrawData& frame) {
     for (std::size_t i = 0; known && i < changed.size(); ++i) {
         changed[i] = tiles.sums[i] != tiles_[i];
     }
-    columns_ = tiles.columns;
     width_px_ = width;
     height_px_ = height;
     tiles_ = std::move(tiles.sums);

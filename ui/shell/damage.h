@@ -27,7 +27,6 @@ class Damage {
 
   private:
     TextureVersion version_;
-    int columns_ = 0;
     int width_px_ = 0;
     int height_px_ = 0;
     std::vector<std::uint64_t> tiles_;  ///< a sum over what is drawn there, row by row

@@ -120,6 +120,21 @@ Why refuse_recognise_capture(const Snapshot& s) {
     return std::nullopt;
 }
 
+Why refuse_environment(const Snapshot& s) {
+    if (auto why = without_session(s)) return why;
+    if (s.session->recorded) return "a recording has no camera";
+    if (s.job) return "something else is going on: " + s.job->name;
+    return std::nullopt;
+}
+Request register_object(const Snapshot&) {
+    return request::Show{Dialog::kNewSession, false, true};
+}
+Why refuse_object(const Snapshot& s) {
+    if (auto why = without_template(s)) return why;
+    if (s.session->object) return "this is an object's turn: begin at the gripper's";
+    return std::nullopt;
+}
+
 using enum ActionGroup;
 
 const std::array kActions{
@@ -176,6 +191,12 @@ const std::array kActions{
     Action{"recognise.capture", "This capture", "",
            "Find the library's templates in the capture that is selected in Table 1", kResults,
            recognise_capture, refuse_recognise_capture},
+    Action{"environment.learn", "Learn the environment", "",
+           "Eight pictures without the arm: what stands still is told from what comes later",
+           kProcedure, plain<request::LearnEnvironment>, refuse_environment},
+    Action{"object.register", "Register an object", "",
+           "A new turn, with an object in the registered gripper", kResults, register_object,
+           refuse_object},
     Action{"library.add", "Add the template", "",
            "Keep the template of this turn in the library, with what it rests on", kResults,
            plain<request::LibraryAdd>, without_template},

@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/base/units.h"
 #include "ui/theme/shown_number.h"
+#include "ui/views/cell_view.h"
 
 namespace gripscan::ui {
 namespace {
@@ -23,31 +24,24 @@ constexpr std::array<ColumnText, 11> kPoseColumns{{{"template", "", 190, 0, true
                                                    {"X mm", "Position", 84},
                                                    {"Y mm", "Position", 84},
                                                    {"Z mm", "Position", 84},
-                                                   {"W °", "Rz(R) Ry(P) Rx(W)", 84},
-                                                   {"P °", "Rz(R) Ry(P) Rx(W)", 84},
-                                                   {"R °", "Rz(R) Ry(P) Rx(W)", 84},
+                                                   {"W °", "Rz(R) Ry(P) Rx(W)", 84, 4},
+                                                   {"P °", "Rz(R) Ry(P) Rx(W)", 84, 5},
+                                                   {"R °", "Rz(R) Ry(P) Rx(W)", 84, 6},
                                                    {"score", "Fit", 60, 2},
                                                    {"seen %", "Fit", 60, 1},
                                                    {"RMS mm", "Fit", 66, 3}}};
-
-std::array<double, 6> numbers_of(const Pose& T) {
-    const Eigen::Vector3d t_mm = kMmPerM * T.translation();
-    const EulerAngles a = euler_from_rotation(T.linear());
-    return {t_mm.x(),
-            t_mm.y(),
-            t_mm.z(),
-            deg_from_rad(a.roll_rad),
-            deg_from_rad(a.pitch_rad),
-            deg_from_rad(a.yaw_rad)};
-}
 
 RowText pose_row(std::string name, std::string_view frame, const Pose& T, Emphasis emphasis) {
     RowText row;
     row.cells.push_back({std::move(name), Emphasis::kStrong});
     row.cells.push_back({std::string(frame),
                          emphasis == Emphasis::kStrong ? Emphasis::kStrong : Emphasis::kSecond});
-    for (const double number : numbers_of(T)) {
-        row.cells.push_back({shown_number(number, 2), emphasis});
+    // Strong is for words: numbers that matter are those that are not grey.
+    const Emphasis tone = emphasis == Emphasis::kStrong  ? Emphasis::kNormal
+                          : emphasis == Emphasis::kThird ? Emphasis::kThird
+                                                         : Emphasis::kSecond;
+    for (const double number : tool_numbers(T)) {
+        row.cells.push_back({shown_number(number, 2), tone});
     }
     row.cells.resize(kPoseColumns.size());
     return row;
@@ -108,7 +102,7 @@ RecognitionVerdict recognition_verdict(const Snapshot& snapshot) {
                 fmt::format("`{}` templates are in the library.", snapshot.library.size())};
     }
     if (!shown->strangers.empty()) {
-        return {State::kCheck, "Something is in the way", shown->strangers.front()};
+        return {State::kCheck, "Not clear", shown->strangers.front()};
     }
     if (shown->found.empty()) {
         return {State::kCheck, "Nothing found",
@@ -128,7 +122,7 @@ RecognitionVerdict recognition_verdict(const Snapshot& snapshot) {
         return {State::kCheck, "Found, out of reach", shown->grasp->sentence};
     }
     if (shown->grasp) sentence += fmt::format(" {}", shown->grasp->sentence);
-    return {State::kAccept, shown->found.size() == 1 ? "Found" : "All found in one view", sentence};
+    return {State::kAccept, "Found", sentence};
 }
 
 std::vector<EvidenceText> found_evidence(const ShownRecognition& shown, std::size_t i) {
@@ -186,7 +180,7 @@ std::string poses_for_clipboard(const ShownRecognition& shown) {
     std::string text = "template\tframe\tx_mm\ty_mm\tz_mm\tw_deg\tp_deg\tr_deg\tscore\trms_mm\n";
     const auto add = [&](const FoundTemplate& f, std::string_view frame, const Pose& T) {
         text += fmt::format("{}\t{}", f.name, frame);
-        for (const double number : numbers_of(T))
+        for (const double number : tool_numbers(T))
             text += fmt::format("\t{}", text_from_number(number));
         text += fmt::format("\t{}\t{}\n", text_from_number(f.score),
                             text_from_number(kMmPerM * f.rms_m));

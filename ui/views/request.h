@@ -27,6 +27,9 @@ struct SessionWish {
     bool manual = false;
     std::uint64_t seed = 1;
     std::vector<std::string> faults;  ///< of the simulated cell
+    bool object = false;              ///< the turn of an object that a registered gripper holds
+    std::filesystem::path gripper;    ///< session or template of that gripper
+    std::string sim_object;           ///< what the simulated gripper holds
 };
 
 /// What of the template is written, and how.
@@ -71,6 +74,7 @@ struct Forget {  ///< a line of the recent sessions; the folder stays
 struct Show {
     Dialog dialog = Dialog::kNone;  ///< none: close the one that is open
     bool cell_file = false;         ///< kNewSession: it begins with a cell file, not the simulation
+    bool object = false;            ///< kNewSession: of an object, held by the gripper of this session
 };
 struct SelectStep {
     std::optional<std::size_t> row;  ///< of Table 1; nothing: the last
@@ -87,6 +91,7 @@ struct SetFilter {  ///< of the template
 struct Recognise {  ///< what is in the library, in a view that is taken now or in a capture
     std::optional<int> capture;
 };
+struct LearnEnvironment {};  ///< what stands still, with the arm out of the picture
 struct LibraryAdd {};  ///< the template that is open
 struct LibraryRemove {
     std::string name;
@@ -132,7 +137,8 @@ using Request =
     std::variant<request::Give, request::HoldToMove, request::GoTo, request::Open, request::Resume,
                  request::Begin, request::Tour, request::CloseSession, request::Forget,
                  request::Show, request::SelectStep, request::Export, request::SetPlan,
-                 request::SetFilter, request::Recognise, request::LibraryAdd,
+                 request::SetFilter, request::Recognise, request::LearnEnvironment,
+                 request::LibraryAdd,
                  request::LibraryRemove, request::WantResiduals, request::CopyText, request::SaveTable, request::SaveReport,
                  request::Screenshot, request::SetTheme, request::SetScale,
                  request::SetLargeButtons, request::SetKey, request::SetNavigation,

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint64_t kTemplateId = std::uint64_t{1} << 40U;
 constexpr std::uint64_t kFoundId = std::uint64_t{1} << 41U;
+constexpr std::uint64_t kGripperId = std::uint64_t{1} << 42U;
 
 /// Check too: such a view is merged.
 bool places_the_view(const TurnStep& step) {
@@ -85,6 +86,26 @@ void add_views(const Snapshot& snapshot, SceneParts& parts) {
         }
         ++step;
     }
+}
+
+/// Of an object's turn: the gripper of the latest view, where it stands.
+void add_gripper(const Snapshot& snapshot, SceneParts& parts) {
+    const auto last = std::find_if(parts.clouds.rbegin(), parts.clouds.rend(),
+                                   [](const SceneCloud& cloud) { return cloud.visible; });
+    if (last == parts.clouds.rend()) return;
+    const ShownCapture* capture = shown_of(snapshot, static_cast<int>(last->id) - 1);
+    if (capture == nullptr || !capture->split) return;
+    parts.split = capture->split;
+    parts.T_first_split = last->T_first_cloud;
+    if (capture->split->gripper_part.empty()) return;
+    SceneCloud gripper;
+    gripper.id = kGripperId + last->id;
+    gripper.generation = last->generation;
+    gripper.cloud = {capture->split, &capture->split->gripper_part};
+    gripper.T_first_cloud = last->T_first_cloud;
+    gripper.role = CloudRole::kHolder;
+    gripper.colour = &Theme::gripper;
+    parts.clouds.push_back(std::move(gripper));
 }
 
 /// The clouds of the step stand in the camera frame of the first of them.
@@ -223,6 +244,7 @@ SceneParts scene_parts(const Snapshot& snapshot, const SceneWish& wish) {
         const bool any = std::any_of(parts.clouds.begin(), parts.clouds.end(),
                                      [](const SceneCloud& cloud) { return cloud.visible; });
         parts.kind = any ? SceneKind::kGrowing : SceneKind::kEmpty;
+        add_gripper(snapshot, parts);
     }
     return parts;
 }

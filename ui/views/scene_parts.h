@@ -26,6 +26,7 @@ enum class CloudRole {
     kTemplate,  ///< all captures merged
     kScene,     ///< a recognised view, what belongs to no template
     kFound,     ///< and what belongs to one
+    kHolder,    ///< the gripper that holds the object
 };
 
 struct SceneCloud {
@@ -59,6 +60,9 @@ struct SceneParts {
     int not_placed = 0;  ///< used captures that no trusted step leads to
     int pair_from = 0;   ///< kPair: captures of the step
     int pair_to = 0;
+    /// kGrowing, of an object's turn: the latest view taken apart, and where it stands.
+    std::shared_ptr<const ObjectSplit> split;
+    Pose T_first_split = Pose::Identity();
     std::string why_no_aligned;  ///< kPair: why there is nothing to show after the registration
     std::string why_no_robot;
 };

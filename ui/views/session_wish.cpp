@@ -24,6 +24,15 @@ std::string folder_problem(const std::string& folder) {
 }  // namespace
 
 std::string session_problem(const TypedSession& typed) {
+    if (typed.wish.object) {
+        if (blank(typed.gripper)) return "Type the session or template of the gripper.";
+        std::error_code code;
+        if (!fs::exists(expanded(typed.gripper), code)) {
+            return "There is neither a session nor a template of the gripper at this path.";
+        }
+        if (typed.simulated && typed.wish.sim_object.empty())
+            return "Choose what the gripper holds.";
+    }
     if (!typed.simulated) {
         if (blank(typed.cell_file)) return "Type the path of the cell file.";
         std::error_code code;
@@ -37,6 +46,8 @@ std::string session_problem(const TypedSession& typed) {
 SessionWish session_wish(const TypedSession& typed) {
     SessionWish wish = typed.wish;
     wish.folder = blank(typed.folder) ? fs::path() : expanded(typed.folder);
+    wish.gripper = wish.object ? expanded(typed.gripper) : fs::path();
+    if (!wish.object || !typed.simulated) wish.sim_object.clear();
     if (typed.simulated) {
         wish.cell = "sim";
         wish.live = wish.manual = false;

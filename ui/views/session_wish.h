@@ -12,6 +12,7 @@ struct TypedSession {
     SessionWish wish;
     std::string folder;
     std::string cell_file;
+    std::string gripper;  ///< of an object's turn
     bool simulated = true;
 };
 

@@ -18,6 +18,7 @@
 #include "core/procedure/compute_turn.h"
 #include "core/procedure/procedure_state.h"
 #include "core/registration/template_filter.h"
+#include "core/scene/object_split.h"
 #include "ui/theme/theme.h"
 #include "ui/views/page.h"
 #include "ui/views/recognition.h"
@@ -52,6 +53,8 @@ struct ShownCapture {
     std::uint64_t generation = 0;        ///< rises when the capture was taken again
     std::shared_ptr<const Cloud> cloud;  ///< camera frame, cropped to the registration area
     std::shared_ptr<const StereoPicture> picture;  ///< null: it came as a cloud
+    /// Of an object's turn: gripper and object told apart; null: not one.
+    std::shared_ptr<const ObjectSplit> split;
     /// Distance of every point to the views beside it, m; < 0: none of them saw the place. Null: not
     /// known yet.
     std::shared_ptr<const std::vector<float>> residual_m;
@@ -95,6 +98,7 @@ struct SessionFacts {
     std::string cell_name;  ///< "simulated cell"
     bool recorded = false;  ///< opened to look at: no commands
     std::string results;    ///< folder of the results, where there are any
+    bool object = false;    ///< of an object in the gripper, not of the gripper
 };
 
 /// The cell around the turn, as far as it is known.
@@ -106,6 +110,13 @@ struct CellFrame {
     std::optional<double> axis_sd_m;
     std::optional<Pose> T_robot_camera;
     std::optional<ControllerState> controller;  ///< as it said last
+};
+
+/// What is known of everything that stands still.
+struct EnvironmentFacts {
+    std::filesystem::path folder;
+    int captures = 0;
+    double known = 0.0;  ///< share of the image
 };
 
 struct ToastView {
@@ -179,6 +190,8 @@ struct Snapshot {
     std::optional<ShownTemplate> shown_template;
     std::shared_ptr<const ShownRecognition> recognition;  ///< of the latest view; null: none yet
     std::vector<LibraryEntry> library;                    ///< in order of their names
+    std::optional<EnvironmentFacts> environment;          ///< nothing: not learned
+    std::vector<std::string> sim_objects;                 ///< what the simulated gripper can hold
     std::vector<KeyBinding> keys;                         ///< all of them, with the user's changes
     std::string last_export;       ///< "read back equal: 369 090 points, …"; empty: none yet
     std::string version;

@@ -86,6 +86,31 @@ StageText cell_check(const ProcedureState& state) {
     return stage;
 }
 
+/// Left out by many: nothing waits for it.
+StageText environment(const Snapshot& s) {
+    StageText stage{"stage.environment", "Environment"};
+    stage.page = Page::kCell;
+    stage.criterion = "not learned, may be left out";
+    if (!s.environment) return stage;
+    stage.state = State::kAccept;
+    stage.criterion = fmt::format("{} views, {} % unknown", s.environment->captures,
+                                  shown_number(100.0 * (1.0 - s.environment->known), 1));
+    stage.why = s.environment->folder.string();
+    return stage;
+}
+
+StageText recognise_stage(const Snapshot& s) {
+    StageText stage{"stage.recognise", "Recognise"};
+    stage.page = Page::kRecognise;
+    stage.criterion =
+        s.library.empty() ? "needs a template" : fmt::format("{} templates", s.library.size());
+    if (!s.recognition) return stage;
+    stage.state = s.recognition->found.empty() ? State::kCheck : State::kAccept;
+    stage.criterion =
+        fmt::format("view {}, {} found", s.recognition->view, s.recognition->found.size());
+    return stage;
+}
+
 StageText warm_up(const ProcedureState& state) {
     StageText stage{"stage.warm_up", "Axis warm-up"};
     if (warming_up(state)) {
@@ -123,7 +148,7 @@ std::string closure_text(const Snapshot& s) {
 
 StageText gripper(const Snapshot& s) {
     const ProcedureState& state = *s.procedure;
-    StageText stage{"stage.gripper", "Gripper"};
+    StageText stage{"stage.gripper", s.session && s.session->object ? "Object" : "Gripper"};
     const auto table = table_of(state);
     const int planned = steps_planned(state);
     if (in<phase::Finished>(state)) {
@@ -186,9 +211,10 @@ std::string_view current_of(const ProcedureState& state) {
 std::vector<StageText> stages_of(const Snapshot& s) {
     if (s.procedure == nullptr) return {};
     const ProcedureState& state = *s.procedure;
-    std::vector<StageText> stages{connect(state), cell_check(state)};
+    std::vector<StageText> stages{connect(state), cell_check(state), environment(s)};
     if (state.plan.mode != MotionMode::kManual) stages.push_back(warm_up(state));
     stages.push_back(gripper(s));
+    stages.push_back(recognise_stage(s));
     stages.push_back(export_stage(s));
     for (StageText& stage : stages) stage.current = stage.id == current_of(state);
     return stages;

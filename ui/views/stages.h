@@ -20,7 +20,8 @@ struct StageText {
     Page page = Page::kProcedure;  ///< where its details are
 };
 
-/// Connect, cell check, axis warm-up, gripper, export. The axis warm-up is left out where the robot
+/// Connect, cell check, environment, axis warm-up, gripper or object, recognise, export. The axis
+/// warm-up is left out where the robot
 /// may not be moved.
 [[nodiscard]] std::vector<StageText> stages_of(const Snapshot& snapshot);
 

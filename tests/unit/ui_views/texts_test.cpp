@@ -36,18 +36,18 @@ std::string_view current_of(const Sample& sample) {
 TEST(Stages, TellWhereTheTurnStands) {
     using enum State;
     EXPECT_THAT(states_of(sample_empty()),
-                ElementsAre(kWaiting, kWaiting, kWaiting, kWaiting, kWaiting));
+                ElementsAre(kWaiting, kWaiting, kWaiting, kWaiting, kWaiting, kWaiting, kWaiting));
     EXPECT_EQ(current_of(sample_empty()), "stage.connect");
     EXPECT_THAT(states_of(sample_cell_checked()),
-                ElementsAre(kAccept, kCheck, kWaiting, kWaiting, kWaiting));
+                ElementsAre(kAccept, kCheck, kWaiting, kWaiting, kWaiting, kWaiting, kWaiting));
     EXPECT_EQ(current_of(sample_cell_checked()), "stage.warm_up");
     EXPECT_THAT(states_of(sample_running()),
-                ElementsAre(kAccept, kCheck, kAccept, kRunning, kWaiting));
+                ElementsAre(kAccept, kCheck, kWaiting, kAccept, kRunning, kWaiting, kWaiting));
     EXPECT_THAT(states_of(sample_rejected()),
-                ElementsAre(kAccept, kCheck, kAccept, kReject, kWaiting));
+                ElementsAre(kAccept, kCheck, kWaiting, kAccept, kReject, kWaiting, kWaiting));
     EXPECT_EQ(current_of(sample_rejected()), "stage.gripper");
     EXPECT_THAT(states_of(sample_finished()),
-                ElementsAre(kAccept, kCheck, kAccept, kCheck, kAccept));
+                ElementsAre(kAccept, kCheck, kWaiting, kAccept, kCheck, kWaiting, kAccept));
     EXPECT_EQ(current_of(sample_finished()), "stage.export");
 }
 
@@ -55,15 +55,28 @@ TEST(Stages, ShowTheirCriterionAsANumber) {
     const auto stages = stages_of(sample_running().snapshot);
     EXPECT_EQ(stages[0].criterion, "link 3 ms ≤ 500 ms");
     EXPECT_EQ(stages[1].criterion, "10 of 11 in their limits, volume");
-    EXPECT_EQ(stages[2].criterion, "axis sd 0.04°, 0.11 mm");
-    EXPECT_EQ(stages[3].criterion, "step 14 of 36, 140.0°");
-    EXPECT_EQ(stages_of(sample_finished().snapshot)[3].criterion, "closure 0.21°, 0.42 mm");
+    EXPECT_EQ(stages[3].criterion, "axis sd 0.04°, 0.11 mm");
+    EXPECT_EQ(stages[4].criterion, "step 14 of 36, 140.0°");
+    EXPECT_EQ(stages_of(sample_finished().snapshot)[4].criterion, "closure 0.21°, 0.42 mm");
+}
+
+TEST(Stages, TellOfEnvironmentObjectAndRecognition) {
+    Sample sample = sample_running();
+    EXPECT_EQ(stages_of(sample.snapshot)[4].name, "Gripper");
+    sample.snapshot.session->object = true;
+    sample.snapshot.environment = EnvironmentFacts{"/data/environment", 8, 0.996};
+    sample.snapshot.library = {{"gripper", TemplateKind::kGripper, 1000, "none", "", ""}};
+    const auto stages = stages_of(sample.snapshot);
+    EXPECT_EQ(stages[2].state, State::kAccept);
+    EXPECT_EQ(stages[2].criterion, "8 views, 0.4 % unknown");
+    EXPECT_EQ(stages[4].name, "Object");
+    EXPECT_EQ(stages[5].criterion, "1 templates");
 }
 
 TEST(Stages, LeaveOutTheWarmUpWhereTheOperatorTurns) {
     Sample sample = sample_cell_checked();
     set_mode(sample, MotionMode::kManual);
-    EXPECT_EQ(stages_of(sample.snapshot).size(), 4U);
+    EXPECT_EQ(stages_of(sample.snapshot).size(), 6U);
     EXPECT_EQ(current_of(sample), "stage.gripper");
 }
 
