@@ -16,7 +16,7 @@
 namespace gripscan {
 
 struct RecogniseSettings {
-    double least_score = 0.52;       ///< below it a template counts as absent
+    double least_score = 0.5;        ///< below it a template counts as absent
     double least_found = 0.15;       ///< share of the visible surface that must be found
     double alternative_margin = 0.06;  ///< other poses this close in score are named
     std::size_t most_per_template = 3;
