@@ -1,0 +1,171 @@
+#include "core/recognition/template_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/recognition/pose_refinement.h"
+#include "core/recognition/pose_voting.h"
+
+namespace gripscan {
+namespace {
+
+constexpr std::size_t kVotedKept = 40;   ///< poses that are refined coarsely
+constexpr std::size_t kCoarseKept = 10;  ///< of those, poses that are refined finely
+/// Distances from the surface within which a point counts as on it, in standard deviations of the
+/// scene's noise: three, with some for a template's own errors; and as much as noise that is related
+/// over a matching window, and far parts of the scene, may bring.
+constexpr double kNarrowest = 4.0;
+constexpr double kWidest = 6.5;
+/// Poses closer than this are one.
+constexpr double kSameRotation_rad = 10.0 * kRadPerDeg;
+constexpr double kSameShift = 0.06;  ///< of the diameter
+
+struct Hypothesis {
+    Pose T = Pose::Identity();
+    double score = 0.0;
+};
+
+bool same_pose(const TemplateModel& model, const Pose& a, const Pose& b) {
+    const Pose d = a.inverse() * b;
+    const Eigen::Vector3d c = model.centre_m.cast<double>();
+    return rotation_angle_rad(d.linear()) < kSameRotation_rad &&
+           (d * c - c).norm() < kSameShift * model.diameter_m;
+}
+
+const Pose& pose_of(const Hypothesis& h) {
+    return h.T;
+}
+const Pose& pose_of(const PoseCandidate& c) {
+    return c.T_scene_template;
+}
+
+/// The best ones that differ, best first.
+template <typename Hypotheses>
+Hypotheses distinct_best(const TemplateModel& model, Hypotheses all, std::size_t count) {
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.score > b.score; });
+    Hypotheses kept;
+    for (auto& h : all) {
+        if (kept.size() == count) break;
+        const bool known = std::any_of(kept.begin(), kept.end(),
+                                       [&](const auto& k) { return same_pose(model, pose_of(h), pose_of(k)); });
+        if (!known) kept.push_back(std::move(h));
+    }
+    return kept;
+}
+
+/// What speaks against a rough pose is mostly its roughness: all counts alike.
+double rough_score(const VisibleAgreement& a) {
+    const double judged = a.seen + a.contradicted + a.mismatched + 0.3 * a.unknown;
+    return judged > 0.0 ? a.seen / judged * std::sqrt(a.found()) : 0.0;
+}
+
+/// A flat face, or two, fits many things. Where the surface found does not tie the part down, its
+/// outline has to: not only on one side.
+double shape_shown(const VisibleAgreement& a, double tied_down) {
+    constexpr double kTiedDown = 0.005;
+    constexpr double kEnoughOutline = 0.4;
+    if (tied_down >= kTiedDown) return 1.0;
+    // The outline of a compact shape is about four times the root of its area.
+    const double all_around = 4.0 * std::sqrt(std::max(1.0, static_cast<double>(a.visible - a.hidden)));
+    return std::min(1.0, (a.outline_ends + a.outline_open) / (kEnoughOutline * all_around));
+}
+
+/// Recognition of one template in one view.
+class Search {
+  public:
+    Search(const TemplateModel& model, const SceneView& scene, const ForEach& for_each)
+        : model_(model), scene_(scene), for_each_(for_each), coarse_(scene.coarse(model.step_m)) {}
+
+    [[nodiscard]] std::vector<PoseCandidate> run() const {
+        std::vector<Hypothesis> rough = rated(voted(), 1.0 * model_.step_m);
+        rough = distinct_best(model_, std::move(rough), kVotedKept);
+        for_each_(rough.size(), [&](std::size_t i) {
+            rough[i].T = refine_coarsely(model_, coarse_, scene_.map.viewpoint(), rough[i].T);
+        });
+        rough = rated(std::move(rough), 0.5 * model_.step_m);
+        rough = distinct_best(model_, std::move(rough), kCoarseKept);
+        std::vector<PoseCandidate> fine = finished(rough);
+        fine = distinct_best(model_, std::move(fine), 6);
+        return with_rivals(std::move(fine));
+    }
+
+  private:
+    [[nodiscard]] std::vector<Hypothesis> voted() const {
+        std::vector<Hypothesis> all;
+        for (const VotedPose& v : vote_for_poses(model_, coarse_, {}, for_each_)) {
+            all.push_back({v.T_scene_template.cast<double>(), 0.0});
+        }
+        return all;
+    }
+
+    [[nodiscard]] std::vector<Hypothesis> rated(std::vector<Hypothesis> all,
+                                                double tolerance_m) const {
+        constexpr std::size_t kBlock = 64;
+        for_each_((all.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+            for (std::size_t i = block * kBlock; i < std::min(all.size(), (block + 1) * kBlock);
+                 ++i) {
+                const auto a = rough_agreement(model_, scene_, all[i].T, tolerance_m);
+                all[i].score = rough_score(a);
+            }
+        });
+        return all;
+    }
+
+    [[nodiscard]] std::vector<PoseCandidate> finished(const std::vector<Hypothesis>& starts) const {
+        std::vector<PoseCandidate> all(starts.size());
+        for_each_(starts.size(), [&](std::size_t i) { all[i] = refined_candidate(model_, scene_, starts[i].T); });
+        return all;
+    }
+
+    /// Poses that nearly look the same are tried too: the search may have missed the better one.
+    [[nodiscard]] std::vector<PoseCandidate> with_rivals(std::vector<PoseCandidate> all) const {
+        if (all.empty() || model_.symmetry.near_turns.empty()) return all;
+        std::vector<Hypothesis> rivals;
+        for (const Pose& turn : model_.symmetry.near_turns) {
+            rivals.push_back({all.front().T_scene_template * turn, 0.0});
+        }
+        for (PoseCandidate& c : finished(rivals)) all.push_back(std::move(c));
+        return distinct_best(model_, std::move(all), 10);
+    }
+
+    const TemplateModel& model_;
+    const SceneView& scene_;
+    const ForEach& for_each_;
+    CoarseScene coarse_;
+};
+
+}  // namespace
+
+PoseCandidate refined_candidate(const TemplateModel& model, const SceneView& scene,
+                                const Pose& start) {
+    // What fits worse than the noise of the view allows is not the part; but clouds that do not know
+    // their noise, and templates, have errors of their own.
+    const double widest_m =
+        std::clamp(kWidest * scene.noise_m, 0.012 * model.diameter_m, 0.045 * model.diameter_m);
+    const FineRefinement rough =
+        refine_finely(model, scene, start, 1.2 * model.step_m, widest_m);
+    PoseCandidate c;
+    c.tolerance_m = std::clamp(3.0 * rough.spread_m,
+                               std::min(kNarrowest * scene.noise_m, widest_m), widest_m);
+    const FineRefinement fine = refine_finely(model, scene, rough.T_scene_template,
+                                              1.5 * c.tolerance_m, c.tolerance_m);
+    c.T_scene_template = fine.T_scene_template;
+    c.agreement = full_agreement(model, scene, c.T_scene_template, c.tolerance_m, &c.points);
+    c.rms_m = fine.rms_m;
+    c.tied_down = fine.tied_down;
+    c.score = c.agreement.score() * shape_shown(c.agreement, c.tied_down);
+    return c;
+}
+
+std::vector<PoseCandidate> search_template(const TemplateModel& model, const SceneView& scene,
+                                           const ForEach& for_each) {
+    return Search(model, scene, for_each).run();
+}
+
+bool equivalent_poses(const TemplateModel& model, const Pose& a, const Pose& b) {
+    return same_pose(model, nearest_equivalent(a, model.symmetry, b), b);
+}
+
+}  // namespace gripscan
