@@ -39,10 +39,15 @@ CellCheckItem depth_item(const CellFacts& facts, const CellLimits& limits) {
 std::vector<CellCheckItem> image_items(const CellFacts& facts, const CellLimits& limits) {
     if (!facts.image) {
         const std::string& why = facts.image.error();
-        // Without a look at the region nothing about the turn is known: that is no pass.
+        // Without a look at the region nothing about the turn is known: that is no pass. A region
+        // out of sight has failed by its volume.
+        const bool in_sight =
+            !facts.volume || (facts.volume->margin_px >= 0.0 && facts.volume->can_be_matched);
         CellCheckItem surface = skipped("surface", "points", why);
-        surface.outcome = CheckOutcome::kFailed;
-        surface.sentence += "; set the region and let both cameras see it, then check again";
+        if (in_sight) {
+            surface.outcome = CheckOutcome::kFailed;
+            surface.sentence += "; set the region and let both cameras see it, then check again";
+        }
         return {skipped("exposure", "%", why), skipped("brightness", "levels", why),
                 skipped("texture", "levels", why), skipped("fill", "%", why), surface};
     }

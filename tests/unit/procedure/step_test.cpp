@@ -496,10 +496,10 @@ TEST(Step, TheSpeedMayChangeBetweenTheStepsAndNothingElseIsLostByIt) {
     Bench bench;
     bench.first_steps(2);
     TurnPlan faster = bench.state.plan;
-    faster.speed_percent = 35.0;
+    faster.speed_percent = 25.0;
     const Transition changed = step(bench.state, Command(command::SetPlan{faster}));
     ASSERT_FALSE(changed.refused) << *changed.refused;
-    EXPECT_DOUBLE_EQ(changed.state.plan.speed_percent, 35.0);
+    EXPECT_DOUBLE_EQ(changed.state.plan.speed_percent, 25.0);
     EXPECT_EQ(changed.state.undo.size(), bench.state.undo.size());
     EXPECT_EQ(changed.state.cell.has_value(), bench.state.cell.has_value());
     ASSERT_EQ(changed.effects.size(), 1U);
