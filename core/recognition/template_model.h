@@ -22,7 +22,6 @@ struct TemplateModel {
     OrientedPoints dense;    ///< the surface as seen from outside, template frame
     OrientedPoints samples;  ///< points that a pose is verified and refined by
     OrientedPoints coarse;   ///< points that vote
-    double dense_m = 0.0;    ///< spacing of the dense points
     double spacing_m = 0.0;  ///< of the samples
     double step_m = 0.0;     ///< of the coarse points
     double diameter_m = 0.0;

@@ -2,7 +2,6 @@
 // camera would see.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/geometry/pose.h"
@@ -11,33 +10,28 @@
 
 namespace gripscan {
 
-/// Cells of the map (rough_agreement: points) in which the part would be seen if nothing stood
-/// before it. Cells beside an edge are left out: stereo moves edges.
+/// Samples of the template that the camera would see if nothing stood before it.
 struct VisibleAgreement {
     int visible = 0;
     int seen = 0;          ///< measured on the predicted surface, and it looks the same way
-    int hidden = 0;        ///< something stands well in front, which says nothing
+    int hidden = 0;        ///< something stands in front
     int contradicted = 0;  ///< the camera looks through where the part should be
-    int mismatched = 0;    ///< measured close by: another surface, or one that looks another way
+    int mismatched = 0;    ///< measured there, but the surface looks another way
     int unknown = 0;       ///< nothing measured
-    /// Of the predicted outline where the part was found inside it. An outline hides what is behind
-    /// it, so the depth jumps there, or nothing is measured.
-    int outline_ends = 0;     ///< what is measured beyond lies well behind
-    int outline_open = 0;     ///< nothing is measured beyond
-    int outline_bends = 0;    ///< a surface at the same depth adjoins: perhaps a thing that touches
-    int outline_goes_on = 0;  ///< the surface goes on as if the part had no edge
+    /// Of the predicted outline: places where the scene ends or bends there, and places where its
+    /// surface goes on as if the part had no edge.
+    int outline_ends = 0;
+    int outline_goes_on = 0;
+    int outline_open = 0;  ///< places where nothing is measured beyond: the scene may end there
 
-    /// Of what could be judged, the share that agrees; what speaks against the part counts more than
-    /// what merely was not measured.
+    /// Of what could be judged, the share that agrees.
     [[nodiscard]] double support() const;
     /// Share of the whole visible surface that was found.
     [[nodiscard]] double found() const;
     /// Share of the outline that the scene shows.
     [[nodiscard]] double outline() const;
-    /// What poses are ranked and judged by, in [0, 1].
+    /// What poses are ranked and judged by, in [0, 1]: found surface times what speaks against it.
     [[nodiscard]] double score() const;
-    /// The shares above as one line.
-    [[nodiscard]] std::string terms() const;
 };
 
 /// Roughly, for very many poses: coarse points, without the outline.
