@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/robot/gsp_message.h"
-#include "core/robot/speed_limits.h"
 #include "core/sim/arm_motion.h"
 
 namespace gripscan::sim {
@@ -30,8 +29,8 @@ struct Conditions {
 struct ControllerSettings {
     double settle_s = 0.3;        ///< after the end of a travel, before it is confirmed
     double tolerance_deg = 0.03;  ///< of joint 6 at the end: six deviations of its repeatability
-    double max_step_deg = 45.0;  ///< of one turn, as the server of a real one (gs_conf.kl)
-    double max_speed_percent = kMostSpeed_percent;
+    double max_step_deg = 370.0;  ///< of one turn: a whole one back to the start is allowed
+    double max_speed_percent = 100.0;
     double max_turn_s = 120.0;
 };
 

@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/concurrency/worker_pool.h"
 #include "core/robot/kinematics.h"
+#include "core/robot/speed_limits.h"
 #include "core/sim/cabinet.h"
 #include "core/sim/cell_layout.h"
 #include "core/sim/frame_server.h"
@@ -62,6 +63,18 @@ Result<Plan> plan_of(const SimCellSettings& settings) {
 }  // namespace
 
 /// In the order in which they need each other: the servers end first.
+namespace {
+
+/// What the server of a real controller allows, too (assets/fanuc/gs_conf.kl).
+sim::ControllerSettings controller_settings() {
+    sim::ControllerSettings settings;
+    settings.max_step_deg = 45.0;
+    settings.max_speed_percent = kMostSpeed_percent;
+    return settings;
+}
+
+}  // namespace
+
 struct SimCell::Impl {
     sim::CellLayout layout;
     sim::CellLayout at_work;
@@ -84,7 +97,7 @@ struct SimCell::Impl {
           axis_hint(joint6_axis_in_camera(plan.at_work).direction),
           cabinet(sim::ArmMotion(plan.layout.joints_rad,
                                  sim::seed_for(settings.seed, sim::Use::kRobot), plan.step_faults),
-                  {}, plan.faults,
+                  controller_settings(), plan.faults,
                   settings.clock ? settings.clock : sim::cell_clock(settings.time_scale)) {}
 
     Status build_scene(const SimCellSettings& settings);

@@ -20,8 +20,9 @@ std::unique_ptr<VirtualScreen> VirtualScreen::make() {
         const int silence = ::open("/dev/null", O_WRONLY);
         ::dup2(silence, 2);
         const std::string fd = std::to_string(pipe_ends[1]);
-        ::execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1600x1000x24",
-                 "-nolisten", "tcp", static_cast<char*>(nullptr));
+        // It lives on between two windows of a test: without -noreset it begins anew then.
+        ::execlp("Xvfb", "Xvfb", "-noreset", "-displayfd", fd.c_str(), "-screen", "0",
+                 "1600x1000x24", "-nolisten", "tcp", static_cast<char*>(nullptr));
         ::_exit(127);
     }
     ::close(pipe_ends[1]);

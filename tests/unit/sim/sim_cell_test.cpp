@@ -41,9 +41,19 @@ class LinkedCell {
     }
     /// The robot's joint 6 once it stands there, deg.
     double turn_to(double angle_deg) {
-        const auto reading = robot_.turn_joint6({++id_, rad_from_deg(angle_deg), 10.0}, {});
-        EXPECT_TRUE(reading) << reading.error().message;
-        return reading ? deg_from_rad(reading->joints_rad[5]) : 0.0;
+        constexpr double kAtOnce_deg = 40.0;  // the controller takes no longer motion
+        double stands_deg = deg_from_rad(robot_.read().value().joints_rad[5]);
+        do {
+            const double left_deg = angle_deg - stands_deg;
+            const double to_deg = std::abs(left_deg) > kAtOnce_deg
+                                      ? stands_deg + std::copysign(kAtOnce_deg, left_deg)
+                                      : angle_deg;
+            const auto reading = robot_.turn_joint6({++id_, rad_from_deg(to_deg), 10.0}, {});
+            EXPECT_TRUE(reading) << reading.error().message;
+            if (!reading) return 0.0;
+            stands_deg = deg_from_rad(reading->joints_rad[5]);
+            if (to_deg == angle_deg) return stands_deg;
+        } while (true);
     }
     StereoFrame picture_at(double angle_deg, const FrameRequest& request) {
         turn_to(angle_deg);
