@@ -66,6 +66,7 @@ TEST(WholeProcedure, ByHandThenByItselfToTheExportedTemplate) {
     ASSERT_TRUE(driver.click("export.pcd"));
     ASSERT_TRUE(driver.click("export.binary"));
     ASSERT_TRUE(driver.click("export.file"));
+    ::usleep(1000000);  // until the input has the keyboard, on a busy machine too
     driver.key("ctrl+a");
     // Typed on a keyboard of plain letters.
     const fs::path exported =
