@@ -34,23 +34,14 @@ Status FrameLoop::make_views() {
 ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
     ++frames_;
     station_.pump(input.ui.time_s);
-    for (const auto& path : input.dropped) {
-        prepare_for(ui::request::Open{path});
-        station_.take(ui::request::Open{path});
-    }
-    if (input.close_requested) {
-        prepare_for(ui::request::Quit{});
-        station_.take(ui::request::Quit{});
-    }
+    for (const auto& path : input.dropped) pass_on(ui::request::Open{path});
+    if (input.close_requested) pass_on(ui::request::Quit{});
     const ui::Snapshot snapshot = station_.snapshot();
     ui::Requests requests;
     const std::string caption = player_ ? player_->caption() : "";
     ui::draw_screen(input.ui, input.width_px, input.height_px, snapshot, caption,
                     input.last.total_ms(), screen_, parts_, requests);
-    for (const ui::Request& request : requests) {
-        prepare_for(request);
-        station_.take(request);
-    }
+    for (const ui::Request& request : requests) pass_on(request);
     if (times_) times_->note(input, requests.size());
     station_.set_splits(screen_.splits);
     take_window_wish(station_.window_wish());
@@ -70,6 +61,11 @@ ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
     }
     wish.close = wish.close || screen_.quit;
     return wish;
+}
+
+void FrameLoop::pass_on(const ui::Request& request) {
+    prepare_for(request);
+    station_.take(request);
 }
 
 void FrameLoop::prepare_for(const ui::Request& request) {

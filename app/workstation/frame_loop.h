@@ -28,6 +28,8 @@ class FrameLoop {
     [[nodiscard]] std::optional<std::string> trouble() const;
 
   private:
+    /// To the workstation, after the panels' own state was made ready for it.
+    void pass_on(const ui::Request& request);
     /// What only the panels' own state can hold of a request.
     void prepare_for(const ui::Request& request);
     void take_window_wish(const WindowWish& wish);

@@ -27,10 +27,7 @@ struct Workstation::Taker {
     void operator()(const ui::request::Begin& r) const { self.begin(r.wish); }
     void operator()(const ui::request::Tour&) const { self.begin({}); }
     void operator()(const ui::request::CloseSession& r) const {
-        if (self.busy() && !r.stop_first) {
-            self.dialog_ = ui::Dialog::kClose;
-            return;
-        }
+        if (!r.stop_first && self.asks_to_stop_first()) return;
         self.dialog_ = ui::Dialog::kNone;
         self.close_turn();
     }
@@ -98,11 +95,8 @@ struct Workstation::Taker {
     }
     void operator()(const ui::request::CloseToast& r) const { self.toasts_.close(r.id); }
     void operator()(const ui::request::Quit&) const {
-        if (self.busy() && self.dialog_ != ui::Dialog::kClose) {
-            self.dialog_ = ui::Dialog::kClose;
-        } else {
-            self.wish_.quit = true;
-        }
+        if (self.dialog_ != ui::Dialog::kClose && self.asks_to_stop_first()) return;
+        self.wish_.quit = true;
     }
 
   private:

@@ -20,8 +20,7 @@ namespace {
 constexpr std::string_view kLiveWarning =
     "LIVE moves the robot. gripscan is no safety function: the fence, the pendant and the "
     "emergency stop are. By hand the arm moves only while Hold to move is held; Run to 360° goes "
-    "on by "
-    "itself until Pause or Stop.";
+    "on by itself until Pause or Stop.";
 
 void draw_where(Form& form, TypedSession& typed) {
     const std::array<Option, 2> cells{
