@@ -4,7 +4,7 @@
 
 #include "app/number_checks.h"
 #include "core/base/number_text.h"
-#include "core/robot/speed_limits.h"
+#include "core/robot/joint6_limits.h"
 #include "core/sim/sim_cell.h"
 
 namespace gripscan::app {
@@ -43,7 +43,7 @@ void add_cell_options(CLI::App& command, CellOptions& options) {
         ->option_text("FILE|sim");
     command.add_option("--step-deg", options.step_deg, "Step of joint 6 (10)")
         ->check(finite_number())
-        ->check(CLI::Range(0.5, 120.0))
+        ->check(CLI::Range(kLeastStep_deg, kMostStep_deg))
         ->option_text("DEG");
     command.add_flag("--live", options.live,
                      "Move a real arm; without it motions are written down and not sent (DRY)");

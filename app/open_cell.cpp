@@ -10,13 +10,9 @@ namespace {
 
 /// The simulated cell in this process need not keep a person's pace.
 constexpr double kTimeScale = 20.0;
-/// As the controller's server allows it (STEP_CAP of gs_conf.kl): longer motions are sent in
-/// pieces.
-constexpr double kMaxStep_deg = 45.0;
 
 std::unique_ptr<RobotLink> link_to(gsp::GspSettings settings, bool motion_rights) {
     settings.motion_rights = motion_rights;
-    settings.max_step_deg = kMaxStep_deg;
     return std::make_unique<gsp::GspLink>(std::move(settings));
 }
 

@@ -5,21 +5,20 @@
 #include "core/base/units.h"
 #include "core/procedure/engine.h"
 #include "core/procedure/journal_codec.h"
+#include "core/robot/joint6_limits.h"
 #include "core/session/alignment_file.h"
 
 namespace gripscan::app {
 namespace {
 
 constexpr std::string_view kCellEntry = "cell";
-/// Below what the controller's server allows at once (STEP_CAP of gs_conf.kl: 45).
-constexpr double kLargestMove_deg = 40.0;
 
 TurnPlan plan_of(const CellOptions& options, const Cell& cell) {
     TurnPlan plan;
     plan.mode = options.mode();
     plan.step_rad = rad_from_deg(options.step_deg);
     plan.speed_percent = cell.speed_percent;
-    plan.largest_move_rad = rad_from_deg(kLargestMove_deg);
+    plan.largest_move_rad = rad_from_deg(kPieceOfTurn_deg);
     plan.limits = turn_limits(cell.limits);
     return plan;
 }

@@ -30,6 +30,13 @@ Json crop_json(const TemplateFilter& filter) {
             {"inverted", filter.invert_crop}};
 }
 
+Json filter_json(const TemplateFilter& filter) {
+    return {{"crop_m", crop_json(filter)},
+            {"min_seen", filter.min_seen},
+            {"denoise_sigmas", filter.denoise_sigmas},
+            {"denoise_neighbours", filter.denoise_neighbours}};
+}
+
 /// gripscan-export/1: what a file without a header for it cannot say of itself.
 std::string sidecar(const TurnReport& report, const ui::ExportWish& wish, const Cloud& cloud) {
     const auto& closure = report.closure_after;
@@ -43,16 +50,25 @@ std::string sidecar(const TurnReport& report, const ui::ExportWish& wish, const 
                 {"accepted", trusted_steps(report)},
                 {"closure_deg", closure ? Json(deg_from_rad(closure->angle_rad)) : Json()},
                 {"closure_mm", closure ? Json(closure->shift_m * kMmPerM) : Json()},
-                {"filter",
-                 {{"crop_m", crop_json(wish.filter)},
-                  {"min_seen", wish.filter.min_seen},
-                  {"denoise_sigmas", wish.filter.denoise_sigmas},
-                  {"denoise_neighbours", wish.filter.denoise_neighbours}}}}
+                {"filter", filter_json(wish.filter)}}
                .dump(2) +
            "\n";
 }
 
 }  // namespace
+
+JournalFields journal_fields(const ui::ExportWish& wish) {
+    return {{"file", wish.file.string()},
+            {"unit", wish.millimetres ? "mm" : "m"},
+            {"frame", wish.axis_frame ? "axis" : "camera"},
+            {"filter", filter_json(wish.filter).dump()}};
+}
+
+JournalFields journal_fields(const Exported& exported) {
+    return {{"file", exported.file.string()},
+            {"points", std::to_string(exported.points)},
+            {"bytes", std::to_string(exported.bytes)}};
+}
 
 Result<Exported> export_template(const TurnReport& report, const ui::ExportWish& wish,
                                  const ForEach& for_each) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/for_each.h"
+#include "core/procedure/journal.h"
 #include "core/registration/turn_report.h"
 #include "ui/views/request.h"
 
@@ -14,6 +15,11 @@ struct Exported {
     std::size_t points = 0;
     std::uintmax_t bytes = 0;
 };
+
+/// For the journal: "export", what was asked for.
+[[nodiscard]] JournalFields journal_fields(const ui::ExportWish& wish);
+/// "exported", what came of it.
+[[nodiscard]] JournalFields journal_fields(const Exported& exported);
 
 /// Read back and compared before it appears. Errors: no points, no axis for the axis frame, a file
 /// that is there already, one that cannot be written.

@@ -27,6 +27,10 @@ class LiveTurn {
     /// Why it was refused; nothing: taken. An error: the session cannot be written any more.
     [[nodiscard]] Result<std::optional<std::string>> submit(const Command& command);
     [[nodiscard]] Status pump();
+    /// Into the session's journal; see Engine::note.
+    [[nodiscard]] Status note(std::string_view event, const JournalFields& fields) {
+        return run_->engine().note(event, fields);
+    }
     /// Something of the turn is going on.
     [[nodiscard]] bool busy() const;
     void set_live(bool on) { live_->set_on(on); }

@@ -14,7 +14,8 @@ std::string widget_list_json(const ui::WidgetLog& shown) {
                            {"label", record.label},
                            {"rect", {r.x, r.y, r.width, r.height}},
                            {"enabled", record.enabled},
-                           {"reason", record.reason}});
+                           {"reason", record.reason},
+                           {"keyboard", record.has_keyboard}});
     }
     return Json{{"format", "gripscan-widgets/1"}, {"widgets", widgets}}.dump(1) + "\n";
 }

@@ -9,7 +9,7 @@
 namespace gripscan::app {
 
 /// gripscan-widgets/1: {"format": …, "widgets": [{"id", "label", "rect": [x, y, w, h], "enabled",
-/// "reason"}, …]}, px.
+/// "reason", "keyboard"}, …]}, px.
 [[nodiscard]] std::string widget_list_json(const ui::WidgetLog& shown);
 
 /// Writes it whenever it has changed. The file appears whole.

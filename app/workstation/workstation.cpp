@@ -431,21 +431,40 @@ void Workstation::add_to_library() {
     });
 }
 
+Status Workstation::note(const fs::path& session, std::string_view event,
+                         const JournalFields& fields) {
+    LiveTurn* turn = live();
+    // A recording is only looked at.
+    if (turn == nullptr || turn->folder() != session) return {};
+    return turn->note(event, fields);
+}
+
 void Workstation::export_as(const ui::ExportWish& wish) {
     const auto turn = solved();
     if (!turn) return;
+    const fs::path session = live() != nullptr ? live()->folder() : fs::path();
+    if (Status noted = note(session, "export", journal_fields(wish)); !noted) {
+        fail("The template was not exported", noted.error(), "");
+        return;
+    }
     jobs_.start(
         "Export",
-        [this, turn, wish, threads = settings_.threads](const Progress&) -> JobList::Outcome {
+        [this, turn, wish, session,
+         threads = settings_.threads](const Progress&) -> JobList::Outcome {
             WorkerPool pool(threads);
             auto exported = std::make_shared<Result<Exported>>(
                 export_template(turn->report, wish, pool.for_each()));
-            return [this, exported] {
+            return [this, exported, session] {
                 if (!*exported) {
                     fail("The template was not exported", exported->error(), "");
                     return;
                 }
                 const Exported& file = **exported;
+                if (Status noted = note(session, "exported", journal_fields(file)); !noted) {
+                    fail("The file is there, but the journal could not be written", noted.error(),
+                         "");
+                    return;
+                }
                 last_export_ =
                     fmt::format("{}: {} points, read back equal", file.file.string(), file.points);
                 log(LogLevel::kInformation, "EXP-001", last_export_);

@@ -81,6 +81,9 @@ class Workstation {
     /// Another session may not push a running one aside: the question whether to stop it comes up.
     bool asks_to_stop_first();
     void export_as(const ui::ExportWish& wish);
+    /// Into the journal of this session, if it is the one that is being recorded.
+    [[nodiscard]] Status note(const std::filesystem::path& session, std::string_view event,
+                              const JournalFields& fields);
     void refresh_filter();
     void recognise(std::optional<int> capture);
     void add_to_library();

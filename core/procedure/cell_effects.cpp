@@ -35,7 +35,9 @@ struct CellEffects::Doing {
 
     Event operator()(const effect::OpenLink&) const { return self.open_link(); }
     Event operator()(const effect::MeasureCell&) const {
-        return event::CellChecked{self.checked(state, {}, progress)};
+        auto report = self.checked(state, {}, progress);
+        if (!report) return event::WorkFailed{report.error().message};
+        return event::CellChecked{std::move(*report)};
     }
     Event operator()(const effect::Turn& e) const { return self.turn(e.command, progress.stop); }
     Event operator()(const effect::LogTurn&) const { return event::TurnLogged{}; }
@@ -82,8 +84,8 @@ Event CellEffects::open_link() {
     return up;
 }
 
-CellReport CellEffects::checked(const ProcedureState& state, const WarmUpAxis& warm_up,
-                                const Progress& progress) {
+Result<CellReport> CellEffects::checked(const ProcedureState& state, const WarmUpAxis& warm_up,
+                                        const Progress& progress) {
     std::vector<WarmUpView> views;
     for (const RecordedCapture& shot : warm_up_) {
         const PreparedView* view = workspace_.view(shot.index);
@@ -101,7 +103,12 @@ CellReport CellEffects::checked(const ProcedureState& state, const WarmUpAxis& w
                              .warm_up = views,
                              .settle_s = cell_.exposure.settle_s,
                              .compute_s = std::nullopt};
-    return assess(measure_cell(cell, progress, for_each_), state.plan);
+    const CellFacts facts = measure_cell(cell, progress, for_each_);
+    if (facts.link && !facts.link->answers) {
+        return device_error("the robot stopped answering during the cell check: {}",
+                            facts.link->trouble);
+    }
+    return assess(facts, state.plan);
 }
 
 Event CellEffects::turn(const Joint6Command& command, std::stop_token stop) {
@@ -148,12 +155,11 @@ Status CellEffects::prepare(const std::vector<RecordedCapture>& captures,
         const bool there = held != prepared_attempts_.end() && held->second == capture.attempts;
         if (capture.used && !there) missing.push_back(&capture);
     }
-    return workspace_.add_all(
-        missing, progress, for_each_,
-        [&](const RecordedCapture& capture, const PreparedCapture& prepared) {
-            if (prepared_) prepared_(capture, prepared);
-            prepared_attempts_[capture.index] = capture.attempts;
-        });
+    return workspace_.add_all(missing, progress, for_each_,
+                              [&](const RecordedCapture& capture, const PreparedCapture& prepared) {
+                                  if (prepared_) prepared_(capture, prepared);
+                                  prepared_attempts_[capture.index] = capture.attempts;
+                              });
 }
 
 Status CellEffects::load(const TurnData& data, const Progress& progress) {
@@ -179,7 +185,9 @@ Event CellEffects::judge(const effect::Judge& pair, const ProcedureState& state,
 Event CellEffects::estimate(const ProcedureState& state, const Progress& progress) {
     auto warm_up = find_axis(warm_up_, workspace_, cell_.axis_hint, progress, for_each_);
     if (!warm_up) return event::WorkFailed{warm_up.error().message};
-    warm_up->found.cell = checked(state, *warm_up, progress);
+    auto report = checked(state, *warm_up, progress);
+    if (!report) return event::WorkFailed{report.error().message};
+    warm_up->found.cell = std::move(*report);
     return warm_up->found;
 }
 

@@ -40,20 +40,38 @@ void Draft::send(double angle_rad, std::vector<double> then_rad, const std::opti
     begin(activity::Moving{command, std::move(then_rad), shot});
 }
 
-void Draft::drive_to(double joint6_rad, const std::optional<Shot>& shot) {
-    if (state.plan.mode == MotionMode::kDry) {
-        effects.push_back(effect::LogTurn{joint6_rad});
-        state.phase = phase::Busy{activity::Moving{{0, joint6_rad, 0.0}, {}, std::nullopt}};
-        return;
+std::vector<double> Draft::way_from(double from_rad, double to_rad) const {
+    return way_to(
+        to_rad, from_rad,
+        {state.plan.approach_rad, state.plan.largest_move_rad, joint_ranges()[5].min_rad});
+}
+
+void Draft::log_way_to(double joint6_rad) {
+    const auto& logged = state.rehearsed_joint6_rad;
+    std::vector<double> way;
+    if (logged.empty()) {
+        const double start_rad = joint6_of(0.0);
+        way = way_from(standing_joint6_rad(state).value_or(start_rad), start_rad);
     }
+    const double from_rad = !way.empty()     ? way.back()
+                            : logged.empty() ? joint6_of(0.0)
+                                             : logged.back();
+    const auto pieces = way_from(from_rad, joint6_rad);
+    way.insert(way.end(), pieces.begin(), pieces.end());
+    const double first_rad = way.front();
+    way.erase(way.begin());
+    effects.emplace_back(effect::LogTurn{});
+    state.phase = phase::Busy{activity::Moving{{0, first_rad, 0.0}, std::move(way), std::nullopt}};
+}
+
+void Draft::drive_to(double joint6_rad, const std::optional<Shot>& shot) {
+    if (state.plan.mode == MotionMode::kDry) return log_way_to(joint6_rad);
     const auto standing = standing_joint6_rad(state);
     if (state.plan.mode == MotionMode::kManual) {
         if (shot) begin(activity::AwaitingOperator{joint6_rad, *shot});
         return;
     }
-    auto way = way_to(joint6_rad, standing.value_or(joint6_rad),
-                      {state.plan.approach_rad, state.plan.largest_move_rad,
-                       joint_ranges()[5].min_rad});
+    auto way = way_from(standing.value_or(joint6_rad), joint6_rad);
     if (way.empty()) {
         if (!shot) return rest();
         return begin(activity::Exposing{*shot});
@@ -145,9 +163,24 @@ Shot Draft::shot_at(double commanded_rad) const {
             commanded_rad};
 }
 
+double Draft::start_of_warm_up() const {
+    const TurnPlan& plan = state.plan;
+    if (!plan.warm_up_in_place.value_or(false)) return joint6_of(0.0);
+    const double standing_rad = standing_joint6_rad(state).value_or(joint6_of(0.0));
+    const double length_rad = (plan.warm_up_shots - 1) * plan.warm_up_step_rad;
+    if (const auto& begun_rad = state.warm_up_joint6_rad) {
+        const bool among_them = standing_rad > *begun_rad - 2.0 * plan.approach_rad &&
+                                standing_rad < *begun_rad + length_rad + plan.approach_rad;
+        if (among_them) return *begun_rad;
+    }
+    const auto [min_rad, max_rad] = joint_ranges()[5];
+    return std::clamp(standing_rad, min_rad, max_rad - length_rad);
+}
+
 Shot Draft::warm_up_shot() const {
     const int number = state.warm_up_shots;
-    return {ShotPurpose::kWarmUp, -1 - number, 1, number * state.plan.warm_up_step_rad};
+    const double first_rad = state.warm_up_joint6_rad.value_or(joint6_of(0.0)) - joint6_of(0.0);
+    return {ShotPurpose::kWarmUp, -1 - number, 1, first_rad + number * state.plan.warm_up_step_rad};
 }
 
 }  // namespace gripscan

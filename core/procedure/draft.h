@@ -47,8 +47,14 @@ class Draft {
     /// A shot at an angle of the turn, counted as an attempt there.
     [[nodiscard]] Shot shot_at(double commanded_rad) const;
     [[nodiscard]] Shot warm_up_shot() const;
+    /// Joint 6 at its first picture. One that was cut off is begun again at the same angles, if the
+    /// joint still stands among them.
+    [[nodiscard]] double start_of_warm_up() const;
+    /// In pieces the controller allows, arriving upwards.
+    [[nodiscard]] std::vector<double> way_from(double from_rad, double to_rad) const;
 
   private:
+    void log_way_to(double joint6_rad);
     void send(double angle_rad, std::vector<double> then_rad, const std::optional<Shot>& shot);
 };
 

@@ -16,9 +16,7 @@ struct MeasureCell {};
 struct Turn {
     Joint6Command command;
 };
-struct LogTurn {  ///< DRY
-    double angle_rad = 0.0;
-};
+struct LogTurn {};  ///< DRY: what Moving would drive is written down and not sent
 struct Expose {
     Shot shot;
 };
@@ -35,7 +33,6 @@ struct Halt {};       ///< stop the arm, give up the work that is going on
 
 using Effect = std::variant<effect::OpenLink, effect::MeasureCell, effect::Turn, effect::LogTurn,
                             effect::Expose, effect::Judge, effect::EstimateAxis, effect::Solve,
-                            effect::SaveTable, effect::SavePlan,
-                            effect::Halt>;
+                            effect::SaveTable, effect::SavePlan, effect::Halt>;
 
 }  // namespace gripscan

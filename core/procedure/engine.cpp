@@ -36,6 +36,13 @@ Result<bool> Engine::pump(std::chrono::milliseconds wait) {
     return !events.empty();
 }
 
+Status Engine::note(std::string_view event, const JournalFields& fields) {
+    if (broken_) return forward_error(*broken_);
+    Status written = journal_.write(event, fields);
+    if (!written) broken_ = written.error();
+    return written;
+}
+
 void Engine::tell(Event event) {
     std::function<void()> wake;
     {

@@ -38,6 +38,8 @@ class Engine {
     /// Takes the events that have come, waiting for the first one no longer than this. False: none
     /// came.
     [[nodiscard]] Result<bool> pump(std::chrono::milliseconds wait);
+    /// Writes down what was done beside the procedure; `event` is neither "command" nor "event".
+    [[nodiscard]] Status note(std::string_view event, const JournalFields& fields);
     /// An event from outside, such as a lost link.
     void tell(Event event);
     /// Called, from any thread, whenever an event has come and pump() has something to do.

@@ -2,7 +2,7 @@
 // not.
 #include "core/procedure/journal_codec.h"
 #include "core/procedure/step.h"
-#include "core/robot/speed_limits.h"
+#include "core/robot/joint6_limits.h"
 
 namespace gripscan {
 namespace {
@@ -15,17 +15,15 @@ bool same_but_speed(const TurnPlan& a, TurnPlan b) {
 
 using Why = std::optional<std::string>;
 
-/// As on the command line.
-constexpr double kLargestStep_rad = 120.0 * kRadPerDeg;
-
 /// What makes a plan none that `now` could be replaced by.
 Why problem_of(const TurnPlan& now, const TurnPlan& plan) {
     if (plan.mode != now.mode) return "whether the arm may move is chosen when the cell is opened";
-    const bool step = plan.step_rad >= plan.least_step_rad && plan.step_rad <= kLargestStep_rad;
+    const bool step =
+        plan.step_rad >= plan.least_step_rad && plan.step_rad <= rad_from_deg(kMostStep_deg);
     if (!step) {
         return fmt::format("a step of {:.2f} deg is not within {:.2f} to {:.0f} deg",
                            deg_from_rad(plan.step_rad), deg_from_rad(plan.least_step_rad),
-                           deg_from_rad(kLargestStep_rad));
+                           kMostStep_deg);
     }
     if (!(plan.speed_percent >= kLeastSpeed_percent && plan.speed_percent <= kMostSpeed_percent)) {
         return fmt::format("a speed of {} % is not within {} to {} %", plan.speed_percent,

@@ -20,11 +20,12 @@ namespace gripscan {
 namespace activity {
 struct CheckingCell {};
 struct Moving {
-    /// Sent, and to be sent again with the same id where its end is unknown. Id 0: its end is known,
-    /// the motion has to be planned anew.
+    /// Sent, and to be sent again with the same id where its end is unknown. Id 0: its end is
+    /// known, the motion has to be planned anew.
     Joint6Command command;
     std::vector<double> then_rad;  ///< further angles, in order
     std::optional<Shot> shot;      ///< what is taken there; nothing: only the motion was wanted
+    bool renumbered = false;       ///< its id was behind the controller's last one once already
 
     [[nodiscard]] double target_rad() const {
         return then_rad.empty() ? command.angle_rad : then_rad.back();
@@ -45,14 +46,13 @@ struct EstimatingAxis {};
 struct Solving {};
 }  // namespace activity
 
-using Activity =
-    std::variant<activity::CheckingCell, activity::Moving, activity::AwaitingOperator,
-                 activity::Exposing, activity::Judging, activity::EstimatingAxis,
-                 activity::Solving>;
+using Activity = std::variant<activity::CheckingCell, activity::Moving, activity::AwaitingOperator,
+                              activity::Exposing, activity::Judging, activity::EstimatingAxis,
+                              activity::Solving>;
 
 namespace phase {
 struct Offline {
-    std::string why;                   ///< empty: not asked yet
+    std::string why;  ///< empty: not asked yet
     std::optional<Activity> interrupted;
 };
 struct Connecting {
@@ -92,18 +92,19 @@ struct ProcedureState {
     TurnPlan plan;
     bool running = false;  ///< goes on by itself
     std::optional<RobotIdentity> robot;
-    std::optional<RobotReading> reading;  ///< the last one of a standing arm
+    std::optional<RobotReading> reading;    ///< the last one of a standing arm
     std::optional<double> told_joint6_rad;  ///< by the operator, where no robot is read
     int next_motion_id = 1;
     std::optional<CellReport> cell;
     std::string cell_note;  ///< the operator's, who accepted a failed check
     std::optional<event::AxisFound> warm_up;
-    int warm_up_shots = 0;  ///< taken
+    int warm_up_shots = 0;                     ///< taken
+    std::optional<double> warm_up_joint6_rad;  ///< at its first picture
     TurnData data;
     std::optional<event::Solved> solved;  ///< for the captures as they are
     /// Every judged pair of captures, by (from, to); Table 1 is read from it.
     std::map<std::pair<int, int>, JudgedStep> judged;
-    std::vector<GivenAdvice> advice;  ///< in order
+    std::vector<GivenAdvice> advice;           ///< in order
     std::vector<double> rehearsed_joint6_rad;  ///< DRY: the motions written down, in order
     std::vector<TurnData> undo;
     std::vector<TurnData> redo;

@@ -80,8 +80,8 @@ void fields(auto& io, Is<TurnLimits> auto& limits) {
 
 void fields(auto& io, Is<TurnPlan> auto& plan) {
     auto& [mode, step_rad, total_rad, start_joint6_rad, speed_percent, approach_rad,
-           largest_move_rad, warm_up_step_rad, warm_up_shots, limits, least_step_rad,
-           retakes_an_angle, rejected_in_a_row] = plan;
+           largest_move_rad, warm_up_step_rad, warm_up_shots, warm_up_in_place, limits,
+           least_step_rad, retakes_an_angle, halvings_a_turn, rejected_in_a_row] = plan;
     io("mode", mode);
     io("step_rad", step_rad);
     io("total_rad", total_rad);
@@ -91,9 +91,11 @@ void fields(auto& io, Is<TurnPlan> auto& plan) {
     io("largest_move_rad", largest_move_rad);
     io("warm_up_step_rad", warm_up_step_rad);
     io("warm_up_shots", warm_up_shots);
+    io("warm_up_in_place", warm_up_in_place);
     io("limits", limits);
     io("least_step_rad", least_step_rad);
     io("retakes_an_angle", retakes_an_angle);
+    io("halvings_a_turn", halvings_a_turn);
     io("rejected_in_a_row", rejected_in_a_row);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/base/units.h"
@@ -76,8 +77,7 @@ int rejected_in_a_row(const AdvisorCase& c) {
 
 /// The step before was not accepted for the same cause: it will not go away.
 bool persists(const AdvisorCase& c, Cause cause) {
-    return !c.before.empty() && !trusted(c.before.back().row) &&
-           c.before.back().row.cause == cause;
+    return !c.before.empty() && !trusted(c.before.back().row) && c.before.back().row.cause == cause;
 }
 
 /// One decision, with what all decisions need to say.
@@ -128,7 +128,12 @@ class Adviser {
     [[nodiscard]] bool may_halve() const {
         const bool worth =
             diagnosis_.certainty == Certainty::kFirstLook ? remedy().halving_helps : experiment();
-        return worth && 0.5 * c_.step_rad >= plan_.least_step_rad - kRounding_rad;
+        return worth && 0.5 * c_.step_rad >= least_halved_rad() - kRounding_rad;
+    }
+    /// Floor and budget.
+    [[nodiscard]] double least_halved_rad() const {
+        if (!plan_.halvings_a_turn) return plan_.least_step_rad;
+        return std::max(plan_.least_step_rad, std::ldexp(plan_.step_rad, -*plan_.halvings_a_turn));
     }
 
     [[nodiscard]] Advice retake() const {

@@ -50,6 +50,7 @@ struct TakeCommand {
         draft.settle_start();
         s.warm_up.reset();
         s.warm_up_shots = 0;
+        s.warm_up_joint6_rad = draft.start_of_warm_up();
         draft.shoot(draft.warm_up_shot());
     }
 

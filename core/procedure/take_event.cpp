@@ -1,5 +1,6 @@
 // What each report of devices and computation changes.
 #include <algorithm>
+#include <limits>
 
 #include "core/procedure/draft.h"
 #include "core/procedure/motion_plan.h"
@@ -124,6 +125,7 @@ struct TakeEvent {
         if (!moving.then_rad.empty()) {
             moving.command.id = s.next_motion_id++;
             moving.command.angle_rad = moving.then_rad.front();
+            moving.renumbered = false;
             moving.then_rad.erase(moving.then_rad.begin());
             return draft.begin(moving);
         }
@@ -137,9 +139,18 @@ struct TakeEvent {
         activity::Moving moving = *found;
         switch (e.fault) {
             case RobotFault::kStaleId:
-                // Ids of an earlier session: go on above them.
+                // Ids of an earlier session: go on above them, once.
+                if (moving.renumbered || e.last_id == std::numeric_limits<int>::max()) {
+                    moving.command.id = 0;
+                    moving.renumbered = false;
+                    return interrupt(moving,
+                                     fmt::format("{}; restart the server on the controller, "
+                                                 "then resume",
+                                                 e.why));
+                }
                 s.next_motion_id = std::max(s.next_motion_id, e.last_id + 1);
                 moving.command.id = s.next_motion_id++;
+                moving.renumbered = true;
                 return draft.begin(moving);
             case RobotFault::kLost:
             case RobotFault::kTimeout:
@@ -156,10 +167,16 @@ struct TakeEvent {
     void operator()(const event::TurnLogged&) const {
         const auto* moving = going_on<activity::Moving>();
         if (moving == nullptr) return not_expected();
-        s.rehearsed_joint6_rad.push_back(moving->target_rad());
-        const double end_rad = draft.joint6_of(s.plan.total_rad);
-        s.phase = same_angle(moving->target_rad(), end_rad) ? Phase{phase::Finished{}}
-                                                            : Phase{phase::Idle{}};
+        std::vector<double>& logged = s.rehearsed_joint6_rad;
+        logged.push_back(moving->command.angle_rad);
+        logged.insert(logged.end(), moving->then_rad.begin(), moving->then_rad.end());
+        if (!same_angle(logged.back(), draft.joint6_of(s.plan.total_rad))) {
+            s.phase = phase::Idle{};
+            return;
+        }
+        const auto home = draft.way_from(logged.back(), draft.joint6_of(0.0));
+        logged.insert(logged.end(), home.begin(), home.end());
+        s.phase = phase::Finished{};
     }
 
     void operator()(const event::Exposed& e) const {

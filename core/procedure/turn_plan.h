@@ -33,11 +33,16 @@ struct TurnPlan {
     double largest_move_rad = 90.0 * kRadPerDeg;  ///< longer motions are cut in pieces
     double warm_up_step_rad = 4.0 * kRadPerDeg;
     int warm_up_shots = 3;
+    /// The warm-up begins where joint 6 stands: the way to the start of the turn is not driven
+    /// before it is known what the gripper sweeps. Nothing: at the start of the turn.
+    std::optional<bool> warm_up_in_place = true;
     TurnLimits limits;
 
     // What the advisor may spend.
     double least_step_rad = 2.0 * kRadPerDeg;
     int retakes_an_angle = 2;
+    /// The step is at most halved so often; nothing: down to the least step.
+    std::optional<int> halvings_a_turn = 3;
     int rejected_in_a_row = 3;  ///< so many and it stops
 };
 

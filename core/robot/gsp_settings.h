@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/robot/gsp_message.h"
-#include "core/robot/speed_limits.h"
+#include "core/robot/joint6_limits.h"
 
 namespace gripscan::gsp {
 
@@ -17,7 +17,7 @@ struct GspSettings {
     bool motion_rights = true;             ///< false: the motion port is left alone, turns refused
     std::string model = "LRMate200iC/5L";  ///< as HELLO tells it; empty: any of six axes
 
-    double max_step_deg = 45.0;  ///< from where joint 6 stands
+    double max_step_deg = kMostTurn_deg;  ///< from where joint 6 stands
     double max_speed_percent = kMostSpeed_percent;
     double joint6_speed_deg_s = 720.0;   ///< at 100 %
     double target_tolerance_deg = 0.05;  ///< of joint 6

@@ -5,7 +5,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/number_text.h"
-#include "core/robot/speed_limits.h"
+#include "core/robot/joint6_limits.h"
 #include "core/session/alignment_file.h"
 #include "core/session/yaml_parts.h"
 

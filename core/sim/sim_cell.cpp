@@ -2,8 +2,8 @@
 
 #include "core/base/units.h"
 #include "core/concurrency/worker_pool.h"
+#include "core/robot/joint6_limits.h"
 #include "core/robot/kinematics.h"
-#include "core/robot/speed_limits.h"
 #include "core/sim/cabinet.h"
 #include "core/sim/cell_layout.h"
 #include "core/sim/frame_server.h"
@@ -68,7 +68,7 @@ namespace {
 /// What the server of a real controller allows, too (assets/fanuc/gs_conf.kl).
 sim::ControllerSettings controller_settings() {
     sim::ControllerSettings settings;
-    settings.max_step_deg = 45.0;
+    settings.max_step_deg = kMostTurn_deg;
     settings.max_speed_percent = kMostSpeed_percent;
     return settings;
 }

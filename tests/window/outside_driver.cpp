@@ -94,9 +94,12 @@ std::optional<OutsideDriver::Control> OutsideDriver::find(const std::string& id)
     for (const auto& widget : list["widgets"]) {
         if (widget["id"] != id) continue;
         const auto& rect = widget["rect"];
-        return Control{widget["label"], rect[0].get<int>() + rect[2].get<int>() / 2,
-                       rect[1].get<int>() + rect[3].get<int>() / 2, widget["enabled"],
-                       widget["reason"]};
+        return Control{widget["label"],
+                       rect[0].get<int>() + rect[2].get<int>() / 2,
+                       rect[1].get<int>() + rect[3].get<int>() / 2,
+                       widget["enabled"],
+                       widget["reason"],
+                       widget["keyboard"]};
     }
     return std::nullopt;
 }
@@ -150,6 +153,19 @@ bool OutsideDriver::taken(const std::string& id) const {
         const auto control = find(id);
         return !control || !control->enabled;
     });
+}
+
+bool OutsideDriver::enter(const std::string& id, const std::string& text) const {
+    if (!click(id)) return false;
+    constexpr double kReaction_s = 10.0;
+    const auto has_keyboard = [&] {
+        const auto control = find(id);
+        return control && control->has_keyboard;
+    };
+    if (!wait_until(kReaction_s, has_keyboard)) return false;
+    key("ctrl+a");
+    type(text);
+    return true;
 }
 
 bool OutsideDriver::wait_for_file(const fs::path& file) const {

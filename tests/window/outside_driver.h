@@ -29,6 +29,7 @@ class OutsideDriver {
         int x = 0, y = 0;  ///< its middle
         bool enabled = false;
         std::string reason;
+        bool has_keyboard = false;
     };
     [[nodiscard]] std::optional<Control> find(const std::string& id) const;
     /// Waits until it is there and enabled; false: it did not come.
@@ -42,6 +43,8 @@ class OutsideDriver {
     [[nodiscard]] bool begin(const std::string& id, double patience_s = 120.0) const;
     /// Waits until it cannot be pressed any more: what was asked for is going on.
     [[nodiscard]] bool taken(const std::string& id) const;
+    /// Presses an input and puts this text in the place of what stands there.
+    [[nodiscard]] bool enter(const std::string& id, const std::string& text) const;
     [[nodiscard]] bool wait_for_file(const std::filesystem::path& file) const;
     [[nodiscard]] bool right_click(const std::string& id, double patience_s = 120.0) const;
     /// As xdotool names it: "space", "Escape", "ctrl+z".

@@ -36,10 +36,7 @@ void begin_turn(const OutsideDriver& driver) {
     ASSERT_TRUE(driver.wait_for("step.check_cell")) << driver.error_text();
     if (step_deg() == "10") return;
     ASSERT_TRUE(driver.click("page.cell"));
-    ASSERT_TRUE(driver.click("plan.step"));
-    ::usleep(500000);  // until the input has the keyboard
-    driver.key("ctrl+a");
-    driver.type(step_deg());
+    ASSERT_TRUE(driver.enter("plan.step", step_deg()));
     driver.key("Return");
     ASSERT_TRUE(driver.click("page.procedure"));
 }
@@ -65,13 +62,10 @@ TEST(WholeProcedure, ByHandThenByItselfToTheExportedTemplate) {
     ASSERT_TRUE(driver.click("window.export", 800.0)) << driver.error_text();
     ASSERT_TRUE(driver.click("export.pcd"));
     ASSERT_TRUE(driver.click("export.binary"));
-    ASSERT_TRUE(driver.click("export.file"));
-    ::usleep(1000000);  // until the input has the keyboard, on a busy machine too
-    driver.key("ctrl+a");
     // Typed on a keyboard of plain letters.
     const fs::path exported =
         fs::path("/tmp") / ("gripscan-window-" + std::to_string(::getpid()) + ".pcd");
-    driver.type(exported.string());
+    ASSERT_TRUE(driver.enter("export.file", exported.string()));
     ASSERT_TRUE(driver.click("export.write"));
     ASSERT_TRUE(driver.wait_for_file(exported)) << driver.error_text();
     driver.key("ctrl+w");

@@ -13,6 +13,7 @@
 
 #include "ui/gl/render_target.h"
 #include "ui/shell/glfw_window.h"
+#include "ui/shell/imgui_feed.h"
 #include "ui/shell/imgui_session.h"
 #include "ui/shell/partial_painter.h"
 
@@ -47,6 +48,7 @@ struct AppWindow::Parts {
     std::unique_ptr<ImGuiSession> session;
     std::unique_ptr<PartialPainter> painter;
     bool glfw_backend = false;
+    ImGuiFeed feed;
     WidgetLog log;
     Clock::time_point opened = Clock::now();
     float user_scale = 1.0F;
@@ -93,6 +95,7 @@ struct AppWindow::Parts {
         const auto size = window->framebuffer();
         painter->begin_frame(session->fonts_changed());
         ImGui_ImplGlfw_NewFrame();
+        feed.give(window->input().take_frame());
         begin_imgui_frame();
         Ui ui = session->frame_ui(log, seconds_since(opened));
         ui.large_buttons = large_buttons;
@@ -139,7 +142,8 @@ Result<std::unique_ptr<AppWindow>> AppWindow::make(const WindowSettings& setting
     auto session = ImGuiSession::make(settings.theme, scale);
     if (!session) return forward_error(session.error());
     parts.session = *std::move(session);
-    parts.glfw_backend = ImGui_ImplGlfw_InitForOpenGL(parts.window->handle(), true);
+    parts.feed = ImGuiFeed(parts.window->handle());
+    parts.glfw_backend = ImGui_ImplGlfw_InitForOpenGL(parts.window->handle(), false);
     auto painter = ImGuiPainter::make();
     if (!painter) return forward_error(painter.error());
     parts.painter = std::make_unique<PartialPainter>(*std::move(painter));
@@ -166,6 +170,7 @@ Status AppWindow::run(const Frame& frame, std::size_t most_frames) {
         if (!drawn) return forward_error(drawn.error());
         const FrameWish& wish = *drawn;
         owed = std::max(0, owed - 1);
+        if (!parts.window->input().empty()) owed = kFramesPerEvent;
         due = std::isinf(wish.redraw_after_s)
                   ? Clock::time_point::max()
                   : Clock::now() + std::chrono::duration_cast<Clock::duration>(

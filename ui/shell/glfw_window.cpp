@@ -18,29 +18,60 @@ std::string glfw_reason() {
     return text != nullptr ? text : "no reason given";
 }
 
-GlfwWindow::News& news_of(GLFWwindow* window) {
-    return *static_cast<GlfwWindow::News*>(glfwGetWindowUserPointer(window));
-}
-
-/// A callback that only notes that something came in.
-template <typename... Args>
-void note(GLFWwindow* window, Args...) {
-    news_of(window).anything = true;
-}
-
-template <typename... Args>
-void note_exposed(GLFWwindow* window, Args...) {
-    news_of(window).anything = true;
-    news_of(window).exposed = true;
-}
-
-void note_drop(GLFWwindow* window, int count, const char** paths) {
-    GlfwWindow::News& news = news_of(window);
-    news.anything = true;
-    for (int i = 0; i < count; ++i) news.dropped.emplace_back(paths[i]);
-}
-
 }  // namespace
+
+struct GlfwWindow::Callbacks {
+    static GlfwWindow& of(GLFWwindow* handle) {
+        return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(handle));
+    }
+    /// Notes that something came in.
+    static News& news(GLFWwindow* handle) {
+        News& news = of(handle).news_;
+        news.anything = true;
+        return news;
+    }
+    static void tell(GLFWwindow* handle, const InputEvent& event) {
+        (void)news(handle);
+        of(handle).input_.push(event);
+    }
+
+    static void cursor(GLFWwindow* w, double x, double y) { tell(w, input::Cursor{x, y}); }
+    static void enter(GLFWwindow* w, int inside) { tell(w, input::Entered{inside == GLFW_TRUE}); }
+    static void focus(GLFWwindow* w, int focused) { tell(w, input::Focus{focused == GLFW_TRUE}); }
+    static void button(GLFWwindow* w, int which, int action, int) {
+        tell(w, input::Button{which, action == GLFW_PRESS});
+    }
+    static void wheel(GLFWwindow* w, double dx, double dy) { tell(w, input::Wheel{dx, dy}); }
+    static void key(GLFWwindow* w, int key, int scancode, int action, int mods) {
+        // A held key repeats what it types; the window repeats the rest itself.
+        if (action == GLFW_REPEAT) return;
+        tell(w, input::Key{key, scancode, mods, action == GLFW_PRESS});
+    }
+    static void typed(GLFWwindow* w, unsigned character) { tell(w, input::Typed{character}); }
+
+    static void refresh(GLFWwindow* w) { news(w).exposed = true; }
+    static void size(GLFWwindow* w, int, int) { news(w).exposed = true; }
+    static void scale(GLFWwindow* w, float, float) { (void)news(w); }
+    static void close(GLFWwindow* w) { (void)news(w); }
+    static void drop(GLFWwindow* w, int count, const char** paths) {
+        for (int i = 0; i < count; ++i) news(w).dropped.emplace_back(paths[i]);
+    }
+
+    static void set(GLFWwindow* w) {
+        glfwSetCursorPosCallback(w, cursor);
+        glfwSetCursorEnterCallback(w, enter);
+        glfwSetWindowFocusCallback(w, focus);
+        glfwSetMouseButtonCallback(w, button);
+        glfwSetScrollCallback(w, wheel);
+        glfwSetKeyCallback(w, key);
+        glfwSetCharCallback(w, typed);
+        glfwSetWindowRefreshCallback(w, refresh);
+        glfwSetFramebufferSizeCallback(w, size);
+        glfwSetWindowContentScaleCallback(w, scale);
+        glfwSetWindowCloseCallback(w, close);
+        glfwSetDropCallback(w, drop);
+    }
+};
 
 Result<std::unique_ptr<GlfwWindow>> GlfwWindow::make(const std::string& title, int width_px,
                                                      int height_px) {
@@ -67,25 +98,9 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::make(const std::string& title, i
     window->window_ = handle;
     glfwMakeContextCurrent(handle);
     glfwSwapInterval(1);
-    window->listen();
+    glfwSetWindowUserPointer(handle, window.get());
+    Callbacks::set(handle);
     return window;
-}
-
-void GlfwWindow::listen() {
-    glfwSetWindowUserPointer(window_, &news_);
-    // Set before Dear ImGui's own, which call these on.
-    glfwSetCursorPosCallback(window_, note<double, double>);
-    glfwSetCursorEnterCallback(window_, note<int>);
-    glfwSetMouseButtonCallback(window_, note<int, int, int>);
-    glfwSetScrollCallback(window_, note<double, double>);
-    glfwSetKeyCallback(window_, note<int, int, int, int>);
-    glfwSetCharCallback(window_, note<unsigned int>);
-    glfwSetWindowFocusCallback(window_, note<int>);
-    glfwSetWindowRefreshCallback(window_, note_exposed<>);
-    glfwSetWindowCloseCallback(window_, note<>);
-    glfwSetFramebufferSizeCallback(window_, note_exposed<int, int>);
-    glfwSetWindowContentScaleCallback(window_, note<float, float>);
-    glfwSetDropCallback(window_, note_drop);
 }
 
 GlfwWindow::~GlfwWindow() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "ui/shell/input_queue.h"
 #include "ui/shell/key_layout.h"
 
 struct GLFWwindow;
@@ -30,6 +31,8 @@ class GlfwWindow {
     };
     /// Waits for events, at most that long (0: only looks).
     [[nodiscard]] News wait(double seconds);
+    /// What mouse and keyboard have told.
+    [[nodiscard]] InputQueue& input() { return input_; }
     /// From any thread.
     static void wake();
 
@@ -49,9 +52,10 @@ class GlfwWindow {
 
   private:
     GlfwWindow() = default;
-    void listen();
+    struct Callbacks;
     GLFWwindow* window_ = nullptr;
     News news_;
+    InputQueue input_;
 };
 
 }  // namespace gripscan::ui

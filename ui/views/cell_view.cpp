@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/robot/speed_limits.h"
+#include "core/robot/joint6_limits.h"
 
 namespace gripscan::ui {
 namespace {

@@ -96,12 +96,12 @@ void draw_input(const Ui& ui, const Rect& rect, std::string_view text, std::stri
 }
 
 NumberEvent number_input(const Ui& ui, const Rect& rect, const NumberSpec& spec) {
-    ui.log.record({std::string(spec.id), std::string(spec.label), rect, spec.why_disabled.empty(),
-                   std::string(spec.why_disabled)});
     const std::string shown = shown_number(spec.value, spec.decimals);
     const std::string hidden = "##" + std::string(spec.id);
     const ImGuiID id = ImGui::GetID(hidden.c_str());
     const bool editing = ImGui::GetActiveID() == id;
+    ui.log.record({std::string(spec.id), std::string(spec.label), rect, spec.why_disabled.empty(),
+                   std::string(spec.why_disabled), editing});
     if (!spec.why_disabled.empty()) {
         dashed_outline(ui, rect, ui.theme.line2, 3.0F, 3.0F);
         draw_text(ui, number_right(ui, rect, spec.unit), middle_y(rect), FontRole::kNumberTable,

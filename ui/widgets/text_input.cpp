@@ -49,11 +49,12 @@ bool edit(const Rect& rect, const TextSpec& spec, const std::string& hidden, std
 }  // namespace
 
 TextEvent text_input(const Ui& ui, const Rect& rect, const TextSpec& spec, std::string& text) {
-    ui.log.record({std::string(spec.id), std::string(spec.label), rect, spec.why_disabled.empty(),
-                   std::string(spec.why_disabled)});
     const std::string hidden = "##" + std::string(spec.id);
     const ImGuiID id = ImGui::GetID(hidden.c_str());
-    draw_field(ui, rect, spec, ImGui::GetActiveID() == id);
+    const bool editing = ImGui::GetActiveID() == id;
+    ui.log.record({std::string(spec.id), std::string(spec.label), rect, spec.why_disabled.empty(),
+                   std::string(spec.why_disabled), editing});
+    draw_field(ui, rect, spec, editing);
     const FontRole role = spec.numbers ? FontRole::kNumberTable : FontRole::kTable;
     ImFont* font = ui.fonts[role];
     const int icon = spec.icon == Icon::kNone ? 0 : ui.em(1.71F);

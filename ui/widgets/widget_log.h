@@ -16,7 +16,8 @@ struct WidgetRecord {
     std::string label;  ///< as it is shown
     Rect rect;
     bool enabled = true;
-    std::string reason;  ///< why it is disabled
+    std::string reason;         ///< why it is disabled
+    bool has_keyboard = false;  ///< what is typed goes there
 };
 
 class WidgetLog {

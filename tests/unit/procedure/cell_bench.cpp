@@ -97,6 +97,11 @@ void CellBench::warm_up(double sense) {
     if (!robot.turn_joint6({kShots + 1, start_rad}, {})) throw std::logic_error("no way back");
 }
 
+StereoFrame CellBench::picture(const FrameRequest& request) {
+    make_camera();
+    return camera_->grab(request).value();
+}
+
 CellReport CellBench::check() {
     make_camera();
     std::optional<AxisEstimate> axis;

@@ -52,9 +52,10 @@ class CellBench {
 
     void put(const Intruder& intruder);
     void defocus(double blur_px);
-    /// Three pictures 4° apart, as the procedure takes them; the arm returns to the start. Sense -1:
-    /// the gripper turns downwards, as with a joint that turns the other way than it is told.
+    /// Three pictures 4° apart, as the procedure takes them; the arm returns to the start. Sense
+    /// -1: the gripper turns downwards, as with a joint that turns the other way than it is told.
     void warm_up(double sense = 1.0);
+    [[nodiscard]] StereoFrame picture(const FrameRequest& request);
     [[nodiscard]] CellReport check();
 
     sim::CellLayout layout;

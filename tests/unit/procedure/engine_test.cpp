@@ -123,7 +123,8 @@ TEST_P(KilledEngine, GoesOnToTheSameTurnFromEveryEntryOfTheJournal) {
         return test::accepted_row(from.index, to.index, turn_rad);
     };
     std::vector<CaptureRecord> undisturbed;
-    for (std::size_t killed_at = 1000; killed_at > 0; killed_at = killed_at > 999 ? 110 : killed_at - 1) {
+    for (std::size_t killed_at = 1000; killed_at > 0;
+         killed_at = killed_at > 999 ? 110 : killed_at - 1) {
         FakeCell cell;
         MemoryJournal journal;
         MemoryStore store;

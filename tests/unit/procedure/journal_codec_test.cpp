@@ -184,9 +184,10 @@ TEST(JournalCodec, ALinkAnAxisAndACheckHaveTheseFields) {
                     "controller.automatic", "controller.servo_on", "controller.emergency_stop",
                     "controller.fault", "controller.moving", "controller.override_percent",
                     "controller.alarm", "reading.joints_rad", "reading.T_world_tool"));
-    EXPECT_THAT(names_in_order(encode(Input(Event(event::AxisFound{AxisEstimate{}, "", std::nullopt})))),
-                ElementsAre("name", "axis.point_m", "axis.direction", "axis.sd_rad", "axis.sd_m",
-                            "sentence"));
+    EXPECT_THAT(
+        names_in_order(encode(Input(Event(event::AxisFound{AxisEstimate{}, "", std::nullopt})))),
+        ElementsAre("name", "axis.point_m", "axis.direction", "axis.sd_rad", "axis.sd_m",
+                    "sentence"));
     EXPECT_THAT(names_in_order(encode(Input(Event(event::CellChecked{{{CellCheckItem{}}}})))),
                 ElementsAre("name", "items", "items.1.name", "items.1.outcome", "items.1.value",
                             "items.1.limit", "items.1.unit", "items.1.sentence"));
@@ -195,12 +196,24 @@ TEST(JournalCodec, ALinkAnAxisAndACheckHaveTheseFields) {
 TEST(JournalCodec, APlanHasTheseFields) {
     TurnPlan plan;
     plan.start_joint6_rad = 0.0;
-    EXPECT_THAT(
-        names_in_order(encode(plan)),
-        ElementsAre("mode", "step_rad", "total_rad", "start_joint6_rad", "speed_percent",
-                    "approach_rad", "largest_move_rad", "warm_up_step_rad", "warm_up_shots",
-                    "limits.angle_rad", "limits.sigmas", "limits.overlap", "limits.slip_m",
-                    "limits.tilt_rad", "least_step_rad", "retakes_an_angle", "rejected_in_a_row"));
+    EXPECT_THAT(names_in_order(encode(plan)),
+                ElementsAre("mode", "step_rad", "total_rad", "start_joint6_rad", "speed_percent",
+                            "approach_rad", "largest_move_rad", "warm_up_step_rad", "warm_up_shots",
+                            "warm_up_in_place", "limits.angle_rad", "limits.sigmas",
+                            "limits.overlap", "limits.slip_m", "limits.tilt_rad", "least_step_rad",
+                            "retakes_an_angle", "halvings_a_turn", "rejected_in_a_row"));
+}
+
+/// Journals written before there was a choice go on as they began.
+TEST(JournalCodec, APlanWithoutLaterFieldsMeansWhatItMeantThen) {
+    JournalFields entry = encode(TurnPlan{}).fields;
+    std::erase_if(entry, [](const auto& field) {
+        return field.first == "warm_up_in_place" || field.first == "halvings_a_turn";
+    });
+    const auto plan = decode_plan(entry);
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_FALSE(plan->warm_up_in_place);
+    EXPECT_FALSE(plan->halvings_a_turn);
 }
 
 TEST(JournalCodec, EveryOptionalNumberOfAStepHasAFieldOfItsOwn) {

@@ -109,6 +109,20 @@ TEST(RetryAdvisor, ShowsWhatTheRegistrationFoundBeforeTheRowsOwnNumbers) {
                 testing::ElementsAre("glare 9.0 %, limit 2.0 %"));
 }
 
+TEST(RetryAdvisor, HalvesNoMoreOftenThanTheBudgetAllows) {
+    const JudgedStep step = rejected(Cause::kOverlap, 0.0, 40.0);
+    TurnPlan plan;
+    plan.step_rad = rad_from_deg(80.0);
+    plan.halvings_a_turn = 2;
+    EXPECT_EQ(advice_for(step, {}, {}, 80.0, false, plan).action, kHalve);
+    EXPECT_EQ(advice_for(step, {}, {}, 40.0, false, plan).action, kHalve);
+    EXPECT_NE(advice_for(step, {}, {}, 20.0, false, plan).action, kHalve) << "to a fourth already";
+    plan.halvings_a_turn.reset();  // down to the least step
+    EXPECT_EQ(advice_for(step, {}, {}, 20.0, false, plan).action, kHalve);
+    EXPECT_EQ(advice_for(step, {}, {}, 5.0, false, plan).action, kHalve);
+    EXPECT_NE(advice_for(step, {}, {}, 3.0, false, plan).action, kHalve) << "below the floor";
+}
+
 TEST(RetryAdvisor, NeverHalvesASymmetricPartAndGoesOnOnceItIsLocked) {
     const JudgedStep blind = rejected(Cause::kSymmetry);
     EXPECT_EQ(advice_for(blind, {}, {}).action, kLockAxis);

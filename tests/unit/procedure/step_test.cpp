@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "tests/support/fake_work.h"
 
 namespace gripscan {
@@ -359,11 +362,11 @@ TEST(Step, PauseLetsTheStepEndAndStopsBeforeTheNext) {
 
 TEST(Step, DryRunWritesTheMotionsDownAndMovesNothing) {
     Bench bench(MotionMode::kDry);
-    std::vector<double> logged_deg;
+    bench.state.plan.largest_move_rad = deg(40.0);
+    bench.cell.joint6_rad = deg(10.0);  // the turn does not fit from there
+    int logged = 0;
     bench.work.interfere = [&](const Effect& effect) -> std::optional<Event> {
-        if (const auto* log = std::get_if<effect::LogTurn>(&effect)) {
-            logged_deg.push_back(std::round(log->angle_rad * kDegPerRad));
-        }
+        if (std::holds_alternative<effect::LogTurn>(effect)) ++logged;
         EXPECT_FALSE(std::holds_alternative<effect::Turn>(effect));
         EXPECT_FALSE(std::holds_alternative<effect::Expose>(effect));
         return std::nullopt;
@@ -371,11 +374,131 @@ TEST(Step, DryRunWritesTheMotionsDownAndMovesNothing) {
     bench.command(command::Connect{});
     bench.command(command::Run{});
     EXPECT_TRUE(bench.in<phase::Finished>());
-    ASSERT_EQ(logged_deg.size(), 36U);
-    EXPECT_EQ(logged_deg.front(), -170.0);
-    EXPECT_EQ(logged_deg.back(), 180.0);
+    EXPECT_EQ(logged, 36);
     EXPECT_FALSE(bench.command(command::Retry{}));
     EXPECT_THAT(bench.refused, HasSubstr("DRY"));
+    EXPECT_THAT(bench.cell.motions_rad, IsEmpty());
+
+    // What LIVE would send: to the start, the steps, and home, in pieces and arriving upwards.
+    Bench live;
+    live.state.plan.largest_move_rad = deg(40.0);
+    live.cell.joint6_rad = deg(10.0);
+    live.command(command::Connect{});
+    live.command(command::Run{});
+    ASSERT_TRUE(live.in<phase::Finished>());
+    // But for the warm-up, two small turns from where the joint stands.
+    ASSERT_NEAR(live.cell.motions_rad[0], deg(14.0), 1e-9);
+    ASSERT_NEAR(live.cell.motions_rad[1], deg(18.0), 1e-9);
+    const std::vector<double> sent(live.cell.motions_rad.begin() + 2, live.cell.motions_rad.end());
+    const auto arrived_at = [&](const std::vector<double>& motions, double angle_rad) {
+        return std::ranges::find_if(motions,
+                                    [&](double m) { return std::abs(m - angle_rad) < deg(0.001); });
+    };
+    const std::vector<double> logged_rad = bench.state.rehearsed_joint6_rad;
+    // From there the way to the start is 8 deg longer in LIVE; the rest is the same.
+    const std::vector<double> rest_logged(arrived_at(logged_rad, deg(-180.0)), logged_rad.end());
+    const std::vector<double> rest_sent(arrived_at(sent, deg(-180.0)), sent.end());
+    ASSERT_EQ(rest_logged.size(), rest_sent.size());
+    for (std::size_t i = 0; i < rest_sent.size(); ++i) {
+        EXPECT_NEAR(rest_logged[i], rest_sent[i], 1e-9) << i;
+    }
+    double at_rad = deg(10.0);
+    for (const double to_rad : logged_rad) {
+        EXPECT_LE(std::abs(to_rad - at_rad), deg(40.0) + 1e-9);
+        at_rad = to_rad;
+    }
+    EXPECT_NEAR(at_rad, deg(-180.0), 1e-9);
+}
+
+TEST(Step, TheWarmUpTurnsWhereTheJointStands) {
+    Bench bench;
+    bench.cell.joint6_rad = deg(50.0);  // the turn begins at -180
+    bench.ready();
+    ASSERT_EQ(bench.cell.motions_rad.size(), 2U);
+    EXPECT_NEAR(bench.cell.motions_rad[0], deg(54.0), 1e-9);
+    EXPECT_NEAR(bench.cell.motions_rad[1], deg(58.0), 1e-9);
+    // A check that fails by what the warm-up has shown keeps the arm from the long way.
+    ASSERT_EQ(bench.cell.shots.size(), 3U);
+    bench.command(command::Capture{});
+    EXPECT_NEAR(bench.cell.joint6_rad, deg(-180.0), 1e-9);
+    EXPECT_THAT(bench.used_deg(), ElementsAre(0));
+}
+
+TEST(Step, AtTheEndOfItsRangeTheWarmUpGoesBackFirst) {
+    Bench bench;
+    bench.cell.joint6_rad = deg(359.0);
+    bench.ready();
+    EXPECT_NEAR(bench.cell.joint6_rad, deg(360.0), 1e-9);
+    EXPECT_EQ(bench.cell.shots.size(), 3U);
+}
+
+TEST(Step, AWarmUpThatWasCutOffIsBegunAgainAtTheSameAngles) {
+    Bench undisturbed;
+    undisturbed.cell.joint6_rad = deg(50.0);
+    undisturbed.ready();
+    Bench bench;
+    bench.cell.joint6_rad = deg(50.0);
+    bench.command(command::Connect{});
+    bench.command(command::CheckCell{});
+    bench.give(command::WarmUp{});
+    bench.work_off(3);  // a picture, a turn, a picture
+    ASSERT_EQ(bench.cell.shots.size(), 2U);
+    bench.waiting.clear();
+    bench.give(event::ProgramEnded{});
+    bench.cell.shots.clear();
+    bench.command(command::Connect{});
+    if (bench.in<phase::Interrupted>()) bench.command(command::Resume{});
+    bench.command(command::WarmUp{});
+    ASSERT_EQ(bench.cell.shots.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(bench.cell.shots[i].commanded_rad, undisturbed.cell.shots[i].commanded_rad,
+                    1e-9);
+    }
+    EXPECT_NEAR(bench.cell.joint6_rad, undisturbed.cell.joint6_rad, 1e-9);
+}
+
+TEST(Step, AJournalWithoutThatChoiceWarmsUpAtTheStartOfTheTurn) {
+    Bench bench;
+    bench.state.plan.warm_up_in_place.reset();
+    bench.cell.joint6_rad = deg(50.0);
+    bench.ready();
+    EXPECT_NEAR(bench.cell.joint6_rad, deg(-180.0 + 8.0), 1e-9);
+}
+
+TEST(Step, IdsBehindTheControllersAreRaisedOnceAndThenItIsAsked) {
+    Bench bench;
+    bench.cell.last_id = 40;  // of an earlier session
+    bench.first_steps(1);
+    EXPECT_THAT(bench.used_deg(), ElementsAre(0, 10));
+    EXPECT_GT(bench.state.next_motion_id, 40);
+
+    // A controller that calls every id stale.
+    int asked = 0;
+    bench.work.interfere = [&](const Effect& effect) -> std::optional<Event> {
+        const auto* turn = std::get_if<effect::Turn>(&effect);
+        if (turn == nullptr) return std::nullopt;
+        ++asked;
+        return event::TurnFailed{RobotFault::kStaleId, turn->command.id, "motion is behind"};
+    };
+    bench.command(command::Step{});
+    EXPECT_EQ(asked, 2);
+    ASSERT_TRUE(bench.in<phase::Interrupted>());
+    EXPECT_THAT(std::get<phase::Interrupted>(bench.state.phase).why,
+                HasSubstr("restart the server"));
+    bench.work.interfere = nullptr;
+    bench.command(command::Resume{});
+    EXPECT_THAT(bench.used_deg(), ElementsAre(0, 10, 20));
+}
+
+TEST(Step, TheLargestIdThereIsIsNotPassed) {
+    Bench bench;
+    bench.first_steps(1);
+    bench.work.interfere = [&](const Effect& effect) -> std::optional<Event> {
+        if (!std::holds_alternative<effect::Turn>(effect)) return std::nullopt;
+        return event::TurnFailed{RobotFault::kStaleId, std::numeric_limits<int>::max(), "behind"};
+    };
+    bench.command(command::Step{});
+    EXPECT_TRUE(bench.in<phase::Interrupted>());
 }
 
 TEST(Step, WithoutMotionRightsTheOperatorTurnsAndTellsTheAngle) {
@@ -452,13 +575,13 @@ std::vector<std::pair<std::string, ProcedureState>> every_phase() {
 }
 
 std::vector<Command> every_command() {
-    return {command::Connect{},  command::CheckCell{}, command::WarmUp{},
-            command::Capture{},  command::Step{},      command::Retry{},
-            command::Halve{},    command::LockAxis{},  command::Accept{"seen"},
-            command::Back{},     command::Undo{},      command::Redo{},
-            command::Exclude{1}, command::Retake{1},   command::TellAngle{0.1},
-            command::Run{},      command::Pause{},     command::Stop{},
-            command::Resume{},   command::Finish{},    command::SetPlan{},
+    return {command::Connect{},      command::CheckCell{}, command::WarmUp{},
+            command::Capture{},      command::Step{},      command::Retry{},
+            command::Halve{},        command::LockAxis{},  command::Accept{"seen"},
+            command::Back{},         command::Undo{},      command::Redo{},
+            command::Exclude{1},     command::Retake{1},   command::TellAngle{0.1},
+            command::Run{},          command::Pause{},     command::Stop{},
+            command::Resume{},       command::Finish{},    command::SetPlan{},
             command::Accept{" \t\n"}};
 }
 
@@ -511,8 +634,8 @@ TEST(Step, TheSpeedMayChangeBetweenTheStepsAndNothingElseIsLostByIt) {
     EXPECT_TRUE(refusal(bench.state, command::SetPlan{faster}));
 }
 
-/// Which commands are taken in which phase; everything else is refused with a reason. Accepting with
-/// a blank note never is.
+/// Which commands are taken in which phase; everything else is refused with a reason. Accepting
+/// with a blank note never is.
 TEST(Step, TableOfCommandsAndPhases) {
     const std::map<std::string, std::vector<std::string>> taken{
         {"offline", {"connect", "set_plan"}},

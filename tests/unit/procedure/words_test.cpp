@@ -41,7 +41,7 @@ TEST(Words, BelongToTheirCommands) {
     for (const Command& c : std::initializer_list<Command>{
              Connect{},   CheckCell{},    WarmUp{}, Capture{}, Step{},   Retry{},   Halve{},
              LockAxis{},  Accept{},       Back{},   Undo{},    Redo{},   Exclude{}, Retake{},
-             TellAngle{}, command::Run{}, Pause{},  Stop{},    Resume{}, Finish{}, SetPlan{}}) {
+             TellAngle{}, command::Run{}, Pause{},  Stop{},    Resume{}, Finish{},  SetPlan{}}) {
         words.push_back(word(c));
     }
     EXPECT_THAT(words,
