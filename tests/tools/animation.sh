@@ -36,7 +36,7 @@ shot() {
     shot 1
     echo "click mode.run"
     for _ in $(seq 16); do shot 3.5; done
-    echo "wait window.export"
+    echo "wait window.export 900"
     echo "pause 2"
     echo "picture $out/window.png"
     shot

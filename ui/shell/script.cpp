@@ -3,6 +3,8 @@
 #include <map>
 #include <sstream>
 
+#include "ui/shell/key_stroke.h"
+
 namespace gripscan::ui {
 namespace {
 
@@ -20,6 +22,19 @@ bool of_text(Rest& rest, ScriptStep& step) {
     made.*member = rest.text;
     step = made;
     return !rest.text.empty();
+}
+
+bool a_key(Rest& rest, ScriptStep& step) {
+    step = script::Key{rest.text};
+    return key_stroke(rest.text).has_value();
+}
+
+bool a_wait(Rest& rest, ScriptStep& step) {
+    script::WaitFor wait;
+    if (!(rest.words >> wait.id)) return false;
+    if (double patience_s = 0.0; rest.words >> patience_s) wait.patience_s = patience_s;
+    step = wait;
+    return rest.words.eof() && wait.patience_s.value_or(0.0) >= 0.0;
 }
 
 bool a_say(Rest& rest, ScriptStep& step) {
@@ -50,9 +65,9 @@ const std::map<std::string, Maker>& makers() {
     static const std::map<std::string, Maker> kMakers{
         {"click", of_text<script::Click, &script::Click::id>},
         {"menu", of_text<script::RightClick, &script::RightClick::id>},
-        {"key", of_text<script::Key, &script::Key::name>},
+        {"key", a_key},
         {"type", of_text<script::Type, &script::Type::text>},
-        {"wait", of_text<script::WaitFor, &script::WaitFor::id>},
+        {"wait", a_wait},
         {"say", a_say},
         {"pause", a_pause},
         {"drag", a_drag},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,8 +33,9 @@ struct Drag {  ///< `drag ID DX DY`: from the middle of the control, in px
 struct Pause {  ///< `pause SECONDS`
     double seconds = 0.0;
 };
-struct WaitFor {  ///< `wait ID`: until it is there and enabled
+struct WaitFor {  ///< `wait ID [SECONDS]`: until it is there and enabled, at most that long
     std::string id;
+    std::optional<double> patience_s;
 };
 struct Picture {  ///< `picture FILE.png`
     std::filesystem::path file;

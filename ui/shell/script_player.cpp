@@ -3,43 +3,23 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <map>
-
-#include "ui/imgui_compat.h"
+#include "ui/shell/key_stroke.h"
 
 namespace gripscan::ui {
 namespace {
 
-struct KeyStroke {
-    int backend_key = -1;
-    bool control = false;
-    unsigned typed = 0;  ///< the character it types; 0: none
-};
+/// As the backend numbers it.
+int number_of(const KeyStroke& stroke) {
+    return stroke.named ? ImGui::GetIO().KeyMap[*stroke.named] : stroke.number;
+}
 
-/// GLFW numbers its printable keys by their upper-case ASCII codes; the rest has names.
-std::optional<KeyStroke> stroke_of(const std::string& name) {
-    static const std::map<std::string, ImGuiKey> kNamed{
-        {"Space", ImGuiKey_Space},         {"Enter", ImGuiKey_Enter},
-        {"Esc", ImGuiKey_Escape},          {"Tab", ImGuiKey_Tab},
-        {"Up", ImGuiKey_UpArrow},          {"Down", ImGuiKey_DownArrow},
-        {"Left", ImGuiKey_LeftArrow},      {"Right", ImGuiKey_RightArrow},
-        {"Backspace", ImGuiKey_Backspace}, {"Home", ImGuiKey_Home}};
-    constexpr std::string_view kControl = "Ctrl+";
-    const bool control = name.starts_with(kControl);
-    const std::string key = control ? name.substr(kControl.size()) : name;
-    if (const auto named = kNamed.find(key); named != kNamed.end()) {
-        return KeyStroke{ImGui::GetIO().KeyMap[named->second], control, key == "Space" ? ' ' : 0U};
-    }
-    if (key.size() == 1) {
-        const auto character = static_cast<unsigned char>(key[0]);
-        return KeyStroke{std::toupper(character), control, character};
-    }
-    constexpr int kF1 = 290;  // of GLFW; F2 … F12 follow
-    if (key.size() >= 2 && key[0] == 'F') {
-        const int number = std::atoi(key.c_str() + 1);
-        if (number >= 1 && number <= 12) return KeyStroke{kF1 + number - 1, control, 0};
-    }
-    return std::nullopt;
+/// The control that a step needs; empty: none.
+std::string control_of(const ScriptStep& step) {
+    if (const auto* click = std::get_if<script::Click>(&step)) return click->id;
+    if (const auto* menu = std::get_if<script::RightClick>(&step)) return menu->id;
+    if (const auto* wait = std::get_if<script::WaitFor>(&step)) return wait->id;
+    if (const auto* drag = std::get_if<script::Drag>(&step)) return drag->id;
+    return {};
 }
 
 }  // namespace
@@ -86,7 +66,7 @@ struct ScriptPlayer::Play {
     }
     bool operator()(const script::WaitFor& s) const { return ready(s.id).has_value(); }
     bool operator()(const script::Key& s) const {
-        const auto stroke = stroke_of(s.name);
+        const auto stroke = key_stroke(s.name);
         if (!stroke) {
             self.trouble_ = fmt::format("there is no key '{}'", s.name);
             return false;
@@ -94,7 +74,7 @@ struct ScriptPlayer::Play {
         const auto set = [stroke = *stroke](bool down) {
             ImGuiIO& io = ImGui::GetIO();
             io.KeyCtrl = stroke.control && down;
-            io.KeysDown[stroke.backend_key] = down;
+            io.KeysDown[number_of(stroke)] = down;
             if (down && !stroke.control && stroke.typed != 0) io.AddInputCharacter(stroke.typed);
         };
         self.pending_.emplace_back([set] { set(true); });
@@ -157,17 +137,14 @@ void ScriptPlayer::before_frame(const WidgetLog& shown, double now_s) {
     }
     if (!waiting_since_s_) waiting_since_s_ = now_s;
     const bool pausing = std::holds_alternative<script::Pause>(steps_.front());
-    if (pausing || trouble_ || now_s - *waiting_since_s_ < patience_s_) return;
-    const auto id = [&]() -> std::string {
-        if (const auto* click = std::get_if<script::Click>(&steps_.front())) return click->id;
-        if (const auto* menu = std::get_if<script::RightClick>(&steps_.front())) return menu->id;
-        if (const auto* wait = std::get_if<script::WaitFor>(&steps_.front())) return wait->id;
-        if (const auto* drag = std::get_if<script::Drag>(&steps_.front())) return drag->id;
-        return "?";
-    }();
+    const auto* wait = std::get_if<script::WaitFor>(&steps_.front());
+    const double patience_s =
+        wait != nullptr ? wait->patience_s.value_or(patience_s_) : patience_s_;
+    if (pausing || trouble_ || now_s - *waiting_since_s_ < patience_s) return;
+    const std::string id = control_of(steps_.front());
     const auto record = shown.find(id);
     trouble_ = record ? fmt::format("'{}' stayed disabled: {}", id, record->reason)
-                      : fmt::format("'{}' was not shown within {:.0f} s", id, patience_s_);
+                      : fmt::format("'{}' was not shown within {:.0f} s", id, patience_s);
 }
 
 std::optional<std::filesystem::path> ScriptPlayer::picture_wanted() {
