@@ -34,22 +34,19 @@ enum class Mischief {
     kRestart,   ///< halts the arm, forgets all ids, closes everything
 };
 
-/// What a server may have got wrong for good.
+/// What a server may have got wrong for good, beyond what it hears and says (see Bends).
 enum class Flaw {
-    kShortPosition,     ///< POS without its frames
-    kAnyVersion,        ///< greets whoever asks for another version
-    kSilentOnUnknown,   ///< no reply to what it does not know
-    kClosesOnLong,      ///< a line of 201 characters closes the link
-    kBearsAll,          ///< stays whatever comes
-    kRepeatMoves,       ///< a repeated id turns the joint once more
-    kForgetsIds,        ///< any id is new
-    kNeverBusy,         ///< takes another command while the arm moves
-    kDeafToStop,        ///< OK STOP, and goes on
-    kNoLimits,          ///< takes any speed and target
-    kPoseStands,        ///< the pose does not follow the joints
-    kForgetsOnLoss,     ///< a lost link loses its ids
-    kNeverTellsMoving,  ///< STATE knows no motion
-    kServoOff,          ///< STATE: servo off
+    kTurnsOnMonitor,   ///< takes J6ABS there too
+    kOneMonitorEver,   ///< serves no second client of the monitor
+    kRepeatMoves,      ///< a repeated id turns the joint once more
+    kTakesOldIds,      ///< a lower id is new
+    kTakesOtherTurns,  ///< the same id with another angle or speed is new
+    kNeverBusy,        ///< takes another command while the arm moves
+    kDeafToStop,       ///< OK STOP, and goes on
+    kNoLimits,         ///< takes any speed and target
+    kForgetsOnLoss,    ///< a lost link loses its ids
+    kStuckAfterLoss,   ///< refuses new turns after a link was lost on the way
+    kDoneTooEarly,     ///< DONE, with the target as position, while the arm is on its way
 };
 
 /// From any thread.
