@@ -67,8 +67,13 @@ RobotResult<void> GspChannel::send(const Request& request, Deadline deadline) {
 RobotResult<Reply> GspChannel::receive(Deadline deadline) {
     const auto item = lines_.read(deadline);
     if (!item) return link_error(item.error());
-    if (const auto* line = std::get_if<Line>(&*item)) return decode_reply(line->text);
     const std::string& peer = lines_.connection().peer();
+    if (const auto* line = std::get_if<Line>(&*item)) {
+        return decode_reply(line->text).map_error([&](RobotError error) {
+            error.message = fmt::format("{} sent {}", peer, error.message);
+            return error;
+        });
+    }
     if (const auto* broken = std::get_if<BrokenStream>(&*item)) {
         return failed(RobotFault::kProtocol, fmt::format("{} sent {}", peer, broken->why));
     }

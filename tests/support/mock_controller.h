@@ -25,6 +25,9 @@ class MockController {
         monitor_thread_ = std::jthread([this](const std::stop_token& s) { serve_monitor(s); });
     }
 
+    ~MockController() { stopping_ = true; }
+    MockController(const MockController&) = delete;
+
     // The script; each line holds for so many times.
 
     MockController& at(Point point, Mischief mischief, int times = 1) {
@@ -121,6 +124,9 @@ class MockController {
                 return;
             case Mischief::kJoined:
                 return client.hold_back(line);
+            case Mischief::kBabble:
+                while (!client.gone() && !stopping_) client.send(std::string(1000, '\n'));
+                return;
             case Mischief::kTwice:
                 return client.send(line + line);
             default:
@@ -306,8 +312,7 @@ class MockController {
             if (hello->version != gsp::kVersion) {
                 return say(client, gsp::Failure{0, gsp::ErrorCode::kVersion, "speaks 1"});
             }
-            const std::lock_guard lock(mutex_);
-            return say(client, hello_);
+            return reply(client, identity(), point_of_hello(point));
         }
         if (std::holds_alternative<gsp::AskState>(request)) {
             return reply(client, state(), point);
@@ -324,10 +329,19 @@ class MockController {
             return say(client, gsp::Failure{0, gsp::ErrorCode::kUnknownRequest, "not here"});
         }
         ++stops_;
-        if (script_.has(Flaw::kDeafToStop)) return reply(client, gsp::StopReply{}, point);
-        stopped_ = stopped_ || arm_.moving();
-        arm_.halt();
-        reply(client, gsp::StopReply{}, point);
+        if (!script_.has(Flaw::kDeafToStop)) {
+            stopped_ = stopped_ || arm_.moving();
+            arm_.halt();
+        }
+        reply(client, gsp::StopReply{}, Point::kStop);
+    }
+
+    gsp::HelloReply identity() {
+        const std::lock_guard lock(mutex_);
+        return hello_;
+    }
+    static Point point_of_hello(Point of_question) {
+        return of_question == Point::kRequest ? Point::kHello : Point::kMonitorHello;
     }
 
     gsp::StateReply state() { return {true, true, false, false, arm_.moving(), 100, ""}; }
@@ -354,6 +368,7 @@ class MockController {
     gsp::TurnJoint6 last_;
     std::optional<gsp::Reply> answer_;
     std::atomic<bool> running_ = false, stopped_ = false, restarted_ = false;
+    std::atomic<bool> stopping_ = false;
     std::atomic<bool> only_when_still_ = false, stuck_ = false;
     std::atomic<double> joint5_deg_ = 0.0, off_deg_ = 0.0;
     std::atomic<std::chrono::milliseconds> duration_{std::chrono::milliseconds(30)};
