@@ -17,23 +17,38 @@ tl::unexpected<RobotError> link_error(const TcpError& error) {
 }  // namespace
 
 RobotResult<GspChannel> GspChannel::open(const GspSettings& settings, std::uint16_t port,
-                                         std::chrono::milliseconds hello_limit) {
-    auto connection =
-        TcpConnection::connect(settings.host, port, deadline_in(settings.connect_limit));
-    if (!connection) {
-        return failed(RobotFault::kUnreachable,
-                      connection.error().message + "; is the server on the controller started?");
-    }
-    GspChannel channel(*std::move(connection));
-    if (auto greeted = channel.greet(settings, deadline_in(hello_limit)); !greeted) {
-        RobotError error = greeted.error();
-        error.fault = RobotFault::kUnreachable;
-        return tl::unexpected<RobotError>(std::move(error));
+                                         std::chrono::milliseconds hello_limit,
+                                         const std::stop_token& cut) {
+    auto channel = connect(settings, port, cut);
+    if (!channel) return channel;
+    if (auto greeted = channel->greet(settings, hello_limit, cut); !greeted) {
+        return tl::unexpected<RobotError>(greeted.error());
     }
     return channel;
 }
 
-RobotResult<void> GspChannel::greet(const GspSettings& settings, Deadline deadline) {
+RobotResult<GspChannel> GspChannel::connect(const GspSettings& settings, std::uint16_t port,
+                                            const std::stop_token& cut) {
+    auto connection =
+        TcpConnection::connect(settings.host, port, deadline_in(settings.connect_limit), cut);
+    if (!connection) {
+        return failed(RobotFault::kUnreachable,
+                      connection.error().message + "; is the server on the controller started?");
+    }
+    return GspChannel(*std::move(connection));
+}
+
+RobotResult<void> GspChannel::greet(const GspSettings& settings,
+                                    std::chrono::milliseconds hello_limit,
+                                    const std::stop_token& cut) {
+    const std::stop_callback on_cut(cut, [this] { close(); });
+    return say_hello(settings, deadline_in(hello_limit)).map_error([](RobotError error) {
+        error.fault = RobotFault::kUnreachable;
+        return error;
+    });
+}
+
+RobotResult<void> GspChannel::say_hello(const GspSettings& settings, Deadline deadline) {
     if (auto sent = send(Hello{}, deadline); !sent) return sent;
     const auto reply = receive(deadline);
     if (!reply) {

@@ -301,7 +301,13 @@ class MockController {
             while (!client.gone() && !stop.stop_requested()) {
                 const auto item = client.read(kTick);
                 const auto request = item ? request_of(client, *item) : std::nullopt;
-                if (request) answer_question(client, *request, Point::kQuestion);
+                if (!request) continue;
+                const auto mischief = script_.mischief_at(Point::kMonitorRequest);
+                if (mischief) {
+                    (void)disturb(client, *mischief);
+                } else {
+                    answer_question(client, *request, Point::kQuestion);
+                }
             }
             if (script_.has(Flaw::kOneMonitorEver)) return;
         }

@@ -14,14 +14,15 @@ namespace gripscan::test {
 
 /// Where in the exchange something happens.
 enum class Point {
-    kHello,         ///< on the motion connection: the reply to HELLO is to be sent
-    kRequest,       ///< the command was read, nothing came of it yet
-    kAccepted,      ///< it was taken; ACC is to be sent
-    kMoving,        ///< ACC was sent, the arm is on its way
-    kDone,          ///< the arm stands; DONE is to be sent
-    kMonitorHello,  ///< on the monitor: the reply to HELLO is to be sent
-    kQuestion,      ///< on the monitor: the reply to STATE or POS is to be sent
-    kStop,          ///< on the monitor: the arm was stopped; OK STOP is to be sent
+    kHello,           ///< on the motion connection: the reply to HELLO is to be sent
+    kRequest,         ///< the command was read, nothing came of it yet
+    kAccepted,        ///< it was taken; ACC is to be sent
+    kMoving,          ///< ACC was sent, the arm is on its way
+    kDone,            ///< the arm stands; DONE is to be sent
+    kMonitorRequest,  ///< on the monitor: anything was read, nothing came of it yet
+    kMonitorHello,    ///< on the monitor: the reply to HELLO is to be sent
+    kQuestion,        ///< on the monitor: the reply to STATE or POS is to be sent
+    kStop,            ///< on the monitor: the arm was stopped; OK STOP is to be sent
 };
 
 /// Trouble of the link.

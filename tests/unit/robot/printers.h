@@ -8,8 +8,9 @@
 namespace gripscan::gsp {
 
 inline std::string name_of(test::Point point) {
-    static constexpr std::array kNames{"Hello", "Request",      "Accepted", "Moving",
-                                       "Done",  "MonitorHello", "Question", "Stop"};
+    static constexpr std::array kNames{"Hello",        "Request",  "Accepted",
+                                       "Moving",       "Done",     "MonitorRequest",
+                                       "MonitorHello", "Question", "Stop"};
     return kNames.at(static_cast<std::size_t>(point));
 }
 
