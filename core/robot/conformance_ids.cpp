@@ -1,4 +1,5 @@
 // Checks of ids and refusals: what must not move the arm.
+#include "core/robot/command_ids.h"
 #include "core/robot/conformance_turns.h"
 
 namespace gripscan::gsp {
@@ -12,7 +13,7 @@ Verdict learns_the_last_id(Probe& probe) {
     if (refusal && refusal->code == ErrorCode::kStaleId) {
         const auto last = last_id_in(refusal->text);
         if (!last) return {CheckOutcome::kFailed, line};
-        if (*last > kLastUsefulId) {
+        if (*last >= kGreatestId) {
             return {CheckOutcome::kFailed, line + " | its ids are used up: clear its last id"};
         }
         probe.last_id = *last;

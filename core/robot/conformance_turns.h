@@ -1,7 +1,6 @@
 // Steps that several checks with motion share.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -17,9 +16,6 @@ inline constexpr double kStillTolerance_deg = 0.02;  ///< of a joint that does n
 void wait_until_it_stands(Probe& probe);
 /// Does joint 6 stand at that angle, also a moment later?
 [[nodiscard]] bool stands_at(Probe& probe, std::optional<double> angle_deg);
-
-/// Ids end at 2147483647: above this one too few are left for all checks.
-inline constexpr int kLastUsefulId = std::numeric_limits<int>::max() - 100;
 
 /// With a new id, to `steps` away from where the arm stood first.
 [[nodiscard]] TurnJoint6 next_turn(Probe& probe, double steps);

@@ -16,14 +16,14 @@ inline ConformanceSettings settings_of(const test::MockController& controller, b
     settings.motion_port = controller.motion_port();
     settings.monitor_port = controller.monitor_port();
     settings.move = move;
-    settings.reply_limit = std::chrono::milliseconds(400);
+    settings.reply_limit = std::chrono::milliseconds(1500);
     settings.motion_limit = std::chrono::milliseconds(5000);
     settings.split_pause = std::chrono::milliseconds(10);
     return settings;
 }
 
 inline ConformanceReport report_of(test::MockController& controller, bool move) {
-    controller.turns_for(std::chrono::milliseconds(150));
+    controller.turns_for(std::chrono::milliseconds(250));
     auto report = check_conformance(settings_of(controller, move), {}, {});
     EXPECT_TRUE(report);
     return report ? *report : ConformanceReport{};
