@@ -93,7 +93,7 @@ class MockController {
     [[nodiscard]] int stops() const { return stops_; }
     [[nodiscard]] int turns_received() const { return turns_received_; }
 
-    static constexpr std::chrono::milliseconds kLate{500};
+    static constexpr std::chrono::milliseconds kLate{800};
 
   private:
     static constexpr std::chrono::milliseconds kTick{2};
