@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json.hpp>
 
 #include "app/cell_out.h"
 #include "app/commands.h"
@@ -28,6 +29,20 @@ void wait_for(const std::stop_token& stop) {
     never.wait(lock, stop, [] { return false; });
 }
 
+std::string text_of(const SimCell& cell) {
+    return fmt::format("listening motion={} monitor={} frames={}\n", cell.motion_port(),
+                       cell.monitor_port(), *cell.frames_port());
+}
+
+/// One line: it is read while the cell serves.
+std::string json_of(const SimCell& cell) {
+    const nlohmann::ordered_json json{{"format", "gripscan-simcell/1"},
+                                      {"motion_port", cell.motion_port()},
+                                      {"monitor_port", cell.monitor_port()},
+                                      {"frames_port", *cell.frames_port()}};
+    return json.dump() + "\n";
+}
+
 Result<ExitStatus> serve(const SimcellOptions& options, const Context& context) {
     auto cell = SimCell::create(options.cell);
     if (!cell) return forward_error(cell.error());
@@ -36,8 +51,7 @@ Result<ExitStatus> serve(const SimcellOptions& options, const Context& context) 
             return forward_error(s.error());
         }
     }
-    print_result(fmt::format("listening motion={} monitor={} frames={}\n", cell->motion_port(),
-                             cell->monitor_port(), *cell->frames_port()));
+    print_result(context.options.json ? json_of(*cell) : text_of(*cell));
     wait_for(context.stop);
     if (!options.truth.empty()) {
         if (Status s = cell->write_truth(options.truth); !s) return forward_error(s.error());

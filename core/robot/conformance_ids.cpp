@@ -1,4 +1,5 @@
 // Checks of ids and refusals: what must not move the arm.
+#include "core/robot/command_ids.h"
 #include "core/robot/conformance_turns.h"
 
 namespace gripscan::gsp {
@@ -11,8 +12,12 @@ Verdict learns_the_last_id(Probe& probe) {
     const auto* refusal = reply ? std::get_if<Failure>(&*reply) : nullptr;
     if (refusal && refusal->code == ErrorCode::kStaleId) {
         const auto last = last_id_in(refusal->text);
-        if (last) probe.last_id = *last;
-        return passed_if(last.has_value(), line);
+        if (!last) return {CheckOutcome::kFailed, line};
+        if (*last >= kGreatestId) {
+            return {CheckOutcome::kFailed, line + " | its ids are used up: clear its last id"};
+        }
+        probe.last_id = *last;
+        return {CheckOutcome::kPassed, line};
     }
     if (!is_reply<Accepted>(line)) return {CheckOutcome::kFailed, line};
     const std::string end = end_of_turn(probe);
@@ -51,13 +56,16 @@ Verdict refuses_far_targets(Probe& probe) {
 }
 
 Verdict refuses_speeds(Probe& probe) {
-    TurnJoint6 turn = next_turn(probe, 1.0);
-    turn.speed_percent = 0.0;
-    const Verdict slow = is_refused(probe, turn, ErrorCode::kSpeedRange);
-    if (slow.outcome != CheckOutcome::kPassed) return slow;
-    turn = next_turn(probe, 1.0);
-    turn.speed_percent = 101.0;
-    return is_refused(probe, turn, ErrorCode::kSpeedRange);
+    // To where it stands: a controller that takes such a speed must not use it here.
+    const auto here_deg = joint6_deg(probe);
+    if (!here_deg) return {CheckOutcome::kFailed, "no position"};
+    Verdict verdict;
+    for (const double speed_percent : {0.0, 101.0}) {
+        verdict =
+            is_refused(probe, {++probe.last_id, *here_deg, speed_percent}, ErrorCode::kSpeedRange);
+        if (verdict.outcome != CheckOutcome::kPassed) break;
+    }
+    return verdict;
 }
 
 }  // namespace gripscan::gsp

@@ -165,7 +165,7 @@ std::vector<CheckRow> moving_checks() {
     return {
         {"move.ready", "AUTO, servo on, no emergency stop, no fault, standing", is_ready},
         {"move.ids", "ACC to a new id, or ERR 304 last=<n>", learns_the_last_id},
-        {"move.turn", "ACC, then DONE with joint 6 at its target", turns},
+        {"move.turn", "ACC, then DONE with joint 6 standing at its target", turns},
         {"move.pose", "the pose turns as forward kinematics says", pose_follows_joints},
         {"move.repeat", "the same id: ACC, the stored DONE, no motion", repeats_without_moving},
         {"move.conflict", "the same id, another angle: ERR <id> 304 last=<n>",

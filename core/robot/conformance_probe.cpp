@@ -1,7 +1,5 @@
 #include "core/robot/conformance_probe.h"
 
-#include <fmt/format.h>
-
 namespace gripscan::gsp {
 
 TcpResult<void> ProbeLink::open() {
@@ -14,6 +12,7 @@ TcpResult<void> ProbeLink::open() {
 }
 
 void ProbeLink::send(std::string_view bytes) {
+    if (!channel_) (void)open();
     // A connection that went is noticed by what does not come back.
     if (channel_) {
         (void)channel_->connection().write(bytes, deadline_in(settings_.reply_limit));
@@ -25,18 +24,19 @@ void ProbeLink::send_line(std::string_view line) {
 }
 
 tl::expected<std::string, NoLine> ProbeLink::next(std::chrono::milliseconds limit) {
-    const auto none = [](std::string what, bool closed = false) {
-        return tl::unexpected<NoLine>(NoLine{std::move(what), closed});
+    using enum NoLine::Kind;
+    const auto none = [](NoLine::Kind kind, std::string what) {
+        return tl::unexpected<NoLine>(NoLine{kind, std::move(what)});
     };
-    if (!channel_) return none("(not connected)", true);
+    if (!channel_) return none(kClosed, "(not connected)");
     const auto item = channel_->read(deadline_in(limit));
-    if (!item && item.error().fault == TcpFault::kTimeout) return none("(no answer)");
-    if (!item) return none("(connection closed)", true);
+    if (!item && item.error().fault == TcpFault::kTimeout) return none(kSilence, "(no answer)");
+    if (!item) return none(kClosed, "(connection closed)");
     if (const auto* line = std::get_if<Line>(&*item)) return line->text;
     if (const auto* line = std::get_if<OverlongLine>(&*item)) {
-        return none(fmt::format("(a line of {} characters)", line->length));
+        return none(kNonsense, fmt::format("(a line of {} characters)", line->length));
     }
-    return none(fmt::format("({})", std::get<BrokenStream>(*item).why));
+    return none(kNonsense, fmt::format("({})", std::get<BrokenStream>(*item).why));
 }
 
 std::string ProbeLink::ask(std::string_view line) {
@@ -48,6 +48,10 @@ std::string ProbeLink::ask(std::string_view line) {
     if (reply) return *std::move(reply);
     channel_.reset();  // what comes later must not be taken for the next reply
     return reply.error().what;
+}
+
+void stop_if_taken(Probe& probe, std::string_view line) {
+    if (is_reply<Accepted>(line)) (void)probe.monitor.ask(encode(Request(Stop{})));
 }
 
 bool is_error(std::string_view line, int id, ErrorCode code, bool zero_too) {

@@ -1,6 +1,8 @@
 // The two bare connections of a conformance run, and what its checks remember.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,10 +12,15 @@
 
 namespace gripscan::gsp {
 
-/// What came instead of a line, for people: "(no answer)", "(connection closed)" …
+/// What came instead of a line.
 struct NoLine {
-    std::string what;
-    bool closed = false;
+    enum class Kind {
+        kSilence,  ///< nothing within the limit
+        kClosed,   ///< the connection is over
+        kNonsense  ///< bytes, but no line
+    };
+    Kind kind = Kind::kSilence;
+    std::string what;  ///< for people: "(no answer)", "(connection closed)" …
 };
 
 /// One connection to a port. What it says may be anything.
@@ -25,12 +32,14 @@ class ProbeLink {
     /// Connects anew, without a HELLO.
     [[nodiscard]] TcpResult<void> open();
     void close() { channel_.reset(); }
+    [[nodiscard]] std::string peer() const { return fmt::format("{}:{}", settings_.host, port_); }
 
+    /// Opens the connection first where it is closed, as ask() does.
     void send(std::string_view bytes);
     void send_line(std::string_view line);
     [[nodiscard]] tl::expected<std::string, NoLine> next(std::chrono::milliseconds limit);
 
-    /// Sends a line; the reply to it, as text. Opens the connection first where it is closed.
+    /// Sends a line; the reply to it, as text.
     [[nodiscard]] std::string ask(std::string_view line);
     /// The reply where it is one of GSP/1 and of this kind.
     template <typename Wanted>
@@ -54,6 +63,11 @@ struct Probe {
     const ConformanceSettings& settings;
     ProbeLink motion;
     ProbeLink monitor;
+
+    void close() {
+        motion.close();
+        monitor.close();
+    }
 
     // With motion:
     std::optional<Position> start;   ///< before the first turn
@@ -86,6 +100,9 @@ struct CheckRow {
 [[nodiscard]] inline Verdict skipped(std::string why) {
     return {CheckOutcome::kSkipped, std::move(why)};
 }
+/// For a command that no controller may take: if this reply says that it was taken, the arm is
+/// stopped.
+void stop_if_taken(Probe& probe, std::string_view line);
 /// Is it "ERR <id> <code> …"? An id of 0 is right in any case where `zero_too`.
 [[nodiscard]] bool is_error(std::string_view line, int id, ErrorCode code, bool zero_too = false);
 template <typename Wanted>

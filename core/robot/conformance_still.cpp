@@ -86,11 +86,24 @@ Verdict refuses_unknown(Probe& probe) {
     return passed_if(is_error(line, 0, ErrorCode::kUnknownRequest), line);
 }
 
+/// Where joint 6 stands: what asks for a turn here asks for this angle, so that a controller that
+/// obeys against the rules moves nothing.
+std::optional<std::string> here(Probe& probe) {
+    const auto reply = probe.monitor.ask_for<PositionReply>(AskPosition{});
+    if (!reply || !reply->position.joints_deg[5]) return std::nullopt;
+    return fixed_text(*reply->position.joints_deg[5]);
+}
+
 Verdict refuses_malformed(Probe& probe) {
+    const auto angle = here(probe);
+    if (!angle) return skipped("where joint 6 stands is not known");
     std::string line;
-    for (const char* request : {"J6ABS", "J6ABS x 1 1", "J6ABS 1", "J6ABS 1 nought 1",
-                                "J6ABS 1 2 3 4", "J6ABS 0 1 1", "HELLO"}) {
+    for (const std::string& request :
+         {std::string("J6ABS"), "J6ABS 1 " + *angle, "J6ABS x " + *angle + " 1",
+          "J6ABS 1 " + *angle + "x 1", "J6ABS 1 " + *angle + " 1 4", "J6ABS 0 " + *angle + " 1",
+          std::string("HELLO")}) {
         line = probe.motion.ask(request);
+        stop_if_taken(probe, line);
         if (!is_error(line, 1, ErrorCode::kMalformed, true)) {
             return {CheckOutcome::kFailed, fmt::format("'{}': {}", request, line)};
         }
@@ -99,7 +112,10 @@ Verdict refuses_malformed(Probe& probe) {
 }
 
 Verdict monitor_moves_nothing(Probe& probe) {
-    const std::string line = probe.monitor.ask("J6ABS 1 0.0000 1");
+    const auto angle = here(probe);
+    if (!angle) return skipped("where joint 6 stands is not known");
+    const std::string line = probe.monitor.ask("J6ABS 1 " + *angle + " 1");
+    stop_if_taken(probe, line);
     return passed_if(is_error(line, 1, ErrorCode::kUnknownRequest, true), line);
 }
 
@@ -163,7 +179,7 @@ Verdict closes_after(Probe& probe, std::string_view bytes) {
     if (!is_reply<HelloReply>(probe.motion.ask("HELLO 1"))) return skipped("no link to try it on");
     probe.motion.send(bytes);
     const auto line = probe.motion.next(probe.settings.reply_limit);
-    const bool closed = !line && line.error().closed;
+    const bool closed = !line && line.error().kind == NoLine::Kind::kClosed;
     const std::string seen = line ? *line : line.error().what;
     probe.motion.close();
     const std::string again = probe.motion.ask("HELLO 1");

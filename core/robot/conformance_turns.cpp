@@ -10,6 +10,15 @@ std::optional<double> joint6_deg(Probe& probe) {
     return reply ? reply->position.joints_deg[5] : std::nullopt;
 }
 
+void wait_until_it_stands(Probe& probe) {
+    const auto limit = deadline_in(probe.settings.motion_limit);
+    while (std::chrono::steady_clock::now() < limit) {
+        const auto state = probe.monitor.ask_for<StateReply>(AskState{});
+        if (!state || state->moving != true) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+}
+
 bool stands_at(Probe& probe, std::optional<double> angle_deg) {
     std::this_thread::sleep_for(probe.settings.split_pause);
     const auto state = probe.monitor.ask_for<StateReply>(AskState{});
@@ -47,17 +56,20 @@ Verdict make(Probe& probe, const TurnJoint6& turn) {
         return {CheckOutcome::kFailed, trouble};
     }
     const std::string line = end_of_turn(probe);
-    const bool done = is_done_at(line, turn);
-    if (done) {
-        probe.turn = turn;
-        probe.done_line = line;
+    if (!is_done_at(line, turn)) return {CheckOutcome::kFailed, line};
+    probe.turn = turn;
+    probe.done_line = line;
+    const Done done = std::get<Done>(*decode_reply(line));
+    if (!stands_at(probe, done.position.joints_deg[5])) {
+        return {CheckOutcome::kFailed, line + " | joint 6 does not stand there"};
     }
-    return passed_if(done, line);
+    return {CheckOutcome::kPassed, line};
 }
 
 Verdict is_refused(Probe& probe, const TurnJoint6& turn, ErrorCode code) {
     const auto before_deg = joint6_deg(probe);
     const std::string line = probe.motion.ask(encode(Request(turn)));
+    stop_if_taken(probe, line);
     const bool still = stands_at(probe, before_deg);
     if (is_reply<Accepted>(line)) (void)end_of_turn(probe);
     const bool names_last = code != ErrorCode::kStaleId || line.find(" last=") != std::string::npos;

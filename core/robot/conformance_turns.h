@@ -12,6 +12,8 @@ inline constexpr double kEndTolerance_deg = 0.05;    ///< of joint 6 at its targ
 inline constexpr double kStillTolerance_deg = 0.02;  ///< of a joint that does not move
 
 [[nodiscard]] std::optional<double> joint6_deg(Probe& probe);
+/// Not longer than a turn may take.
+void wait_until_it_stands(Probe& probe);
 /// Does joint 6 stand at that angle, also a moment later?
 [[nodiscard]] bool stands_at(Probe& probe, std::optional<double> angle_deg);
 
@@ -23,9 +25,10 @@ inline constexpr double kStillTolerance_deg = 0.02;  ///< of a joint that does n
 [[nodiscard]] std::string end_of_turn(Probe& probe);
 [[nodiscard]] bool is_done_at(std::string_view line, const TurnJoint6& turn);
 
-/// Makes a turn from beginning to end.
+/// Makes a turn from beginning to end; joint 6 has to stand where DONE says.
 [[nodiscard]] Verdict make(Probe& probe, const TurnJoint6& turn);
-/// Asks for a turn that has to be refused with that code and must move nothing.
+/// Asks for a turn that has to be refused with that code and must move nothing. If it is taken all
+/// the same, the arm is stopped at once.
 [[nodiscard]] Verdict is_refused(Probe& probe, const TurnJoint6& turn, ErrorCode code);
 
 // Checks of ids and refusals.

@@ -17,23 +17,38 @@ tl::unexpected<RobotError> link_error(const TcpError& error) {
 }  // namespace
 
 RobotResult<GspChannel> GspChannel::open(const GspSettings& settings, std::uint16_t port,
-                                         std::chrono::milliseconds hello_limit) {
-    auto connection =
-        TcpConnection::connect(settings.host, port, deadline_in(settings.connect_limit));
-    if (!connection) {
-        return failed(RobotFault::kUnreachable,
-                      connection.error().message + "; is the server on the controller started?");
-    }
-    GspChannel channel(*std::move(connection));
-    if (auto greeted = channel.greet(settings, deadline_in(hello_limit)); !greeted) {
-        RobotError error = greeted.error();
-        error.fault = RobotFault::kUnreachable;
-        return tl::unexpected<RobotError>(std::move(error));
+                                         std::chrono::milliseconds hello_limit,
+                                         const std::stop_token& cut) {
+    auto channel = connect(settings, port, cut);
+    if (!channel) return channel;
+    if (auto greeted = channel->greet(settings, hello_limit, cut); !greeted) {
+        return tl::unexpected<RobotError>(greeted.error());
     }
     return channel;
 }
 
-RobotResult<void> GspChannel::greet(const GspSettings& settings, Deadline deadline) {
+RobotResult<GspChannel> GspChannel::connect(const GspSettings& settings, std::uint16_t port,
+                                            const std::stop_token& cut) {
+    auto connection =
+        TcpConnection::connect(settings.host, port, deadline_in(settings.connect_limit), cut);
+    if (!connection) {
+        return failed(RobotFault::kUnreachable,
+                      connection.error().message + "; is the server on the controller started?");
+    }
+    return GspChannel(*std::move(connection));
+}
+
+RobotResult<void> GspChannel::greet(const GspSettings& settings,
+                                    std::chrono::milliseconds hello_limit,
+                                    const std::stop_token& cut) {
+    const std::stop_callback on_cut(cut, [this] { close(); });
+    return say_hello(settings, deadline_in(hello_limit)).map_error([](RobotError error) {
+        error.fault = RobotFault::kUnreachable;
+        return error;
+    });
+}
+
+RobotResult<void> GspChannel::say_hello(const GspSettings& settings, Deadline deadline) {
     if (auto sent = send(Hello{}, deadline); !sent) return sent;
     const auto reply = receive(deadline);
     if (!reply) {
@@ -67,8 +82,13 @@ RobotResult<void> GspChannel::send(const Request& request, Deadline deadline) {
 RobotResult<Reply> GspChannel::receive(Deadline deadline) {
     const auto item = lines_.read(deadline);
     if (!item) return link_error(item.error());
-    if (const auto* line = std::get_if<Line>(&*item)) return decode_reply(line->text);
     const std::string& peer = lines_.connection().peer();
+    if (const auto* line = std::get_if<Line>(&*item)) {
+        return decode_reply(line->text).map_error([&](RobotError error) {
+            error.message = fmt::format("{} sent {}", peer, error.message);
+            return error;
+        });
+    }
     if (const auto* broken = std::get_if<BrokenStream>(&*item)) {
         return failed(RobotFault::kProtocol, fmt::format("{} sent {}", peer, broken->why));
     }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/robot/command_ids.h"
+
 namespace gripscan::gsp {
 namespace {
 
@@ -29,8 +31,22 @@ TurnStep lost(int recoveries, const RobotError& why, const TurnRules& rules) {
     return {TurnLost{recoveries, why}, TurnAction::kRecover};
 }
 
-TurnStep refused(const Failure& failure) {
-    return {TurnFailed{robot_error(failure.code, failure.text)}, TurnAction::kFinish};
+/// A stale id is worth another attempt only with an id above the last one, and above this one:
+/// else the caller would ask again and again.
+void check_where_to_go_on(RobotError& error, const TurnRules& rules) {
+    if (error.last_id < rules.command.id) {
+        error.fault = RobotFault::kProtocol;
+        error.message += fmt::format("; but it names none of {} or above", rules.command.id);
+    } else if (error.last_id >= kGreatestId) {
+        error.fault = RobotFault::kRefused;
+        error.message += "; but none is left above it: clear the last id on the controller";
+    }
+}
+
+TurnStep refused(const Failure& failure, const TurnRules& rules) {
+    RobotError error = robot_error(failure.code, failure.text);
+    if (error.fault == RobotFault::kStaleId) check_where_to_go_on(error, rules);
+    return {TurnFailed{std::move(error)}, TurnAction::kFinish};
 }
 
 TurnStep unexpected(const TurnState& state) {
@@ -67,7 +83,7 @@ TurnStep on_waiting(const Waiting& state, const TurnInput& input, const TurnRule
             // Without an id it tells that the line was not understood: so it was not obeyed, unless
             // an earlier one was.
             if (reply.id == id || (reply.id == 0 && kSent && state.recoveries == 0)) {
-                return refused(reply);
+                return refused(reply, rules);
             }
             if (reply.id == 0) {
                 return lost(state.recoveries, robot_error(reply.code, reply.text), rules);

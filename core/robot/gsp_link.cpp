@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/robot/command_ids.h"
 #include "core/robot/gsp_reading.h"
 #include "core/robot/gsp_stop_relay.h"
 #include "core/robot/gsp_turn.h"
@@ -82,9 +83,9 @@ RobotResult<void> GspLink::check_permission(const TurnJoint6& turn) const {
         return failed(RobotFault::kRefused, "this link has no right to move the robot");
     }
     if (!heartbeat_) return failed(RobotFault::kUnreachable, "the robot is not connected");
-    if (turn.id < 1) {
+    if (turn.id < 1 || turn.id > kGreatestId) {
         return failed(RobotFault::kOutOfRange,
-                      fmt::format("{} is no id of a turn; ids are 1 and above", turn.id));
+                      fmt::format("{} is no id of a turn; ids are 1 … {}", turn.id, kGreatestId));
     }
     if (unresolved_ && *unresolved_ != turn) {
         return failed(RobotFault::kRefused,

@@ -12,6 +12,11 @@ TcpResult<FramedItem> LineChannel::read(Deadline deadline) {
         const auto bytes = connection_.read_some(deadline);
         if (!bytes) return tl::unexpected<TcpError>(bytes.error());
         framer_.feed(*bytes);
+        // Empty lines may come without end, faster than a wait for them could time out.
+        if (framer_.empty() && std::chrono::steady_clock::now() >= deadline) {
+            return tl::unexpected<TcpError>(
+                TcpError{TcpFault::kTimeout, "no answer from " + connection_.peer() + " in time"});
+        }
     }
 }
 

@@ -33,6 +33,8 @@ class LineFramer {
     void feed(std::string_view bytes);
     /// The next item, if a whole one is there. Nothing comes after a BrokenStream.
     std::optional<FramedItem> next();
+    /// No whole item is there.
+    [[nodiscard]] bool empty() const { return items_.empty(); }
     /// Bytes of a line whose end has not come.
     [[nodiscard]] std::size_t pending() const { return line_.size(); }
 

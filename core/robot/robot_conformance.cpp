@@ -1,8 +1,10 @@
 #include "core/robot/robot_conformance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "core/robot/conformance_probe.h"
+#include "core/robot/conformance_turns.h"
 
 namespace gripscan::gsp {
 namespace {
@@ -19,6 +21,28 @@ bool must_pass(std::string_view name) {
     return name == "move.ready" || name == "move.ids";
 }
 
+/// A server has room for one client: it takes the connection of another, and does not answer.
+Status check_free(ProbeLink& link, std::string_view name, std::chrono::milliseconds limit) {
+    if (const auto opened = link.open(); !opened) {
+        return device_error("{}; is the server on the controller started?", opened.error().message);
+    }
+    link.send_line(encode(Request(Hello{})));
+    const auto line = link.next(limit);
+    std::string seen = "refuses to talk: " + line.value_or("");
+    if (!line) {
+        if (line.error().kind == NoLine::Kind::kNonsense) return {};
+        seen = line.error().kind == NoLine::Kind::kSilence
+                   ? fmt::format("does not answer HELLO within {} ms", limit.count())
+                   : "closes it";
+    } else if (!is_error(*line, 0, ErrorCode::kBusy)) {
+        return {};
+    }
+    return device_error(
+        "{} ({}) takes the connection, but {}; it has room for one client, and none "
+        "while the arm moves: end the other client, then check again",
+        link.peer(), name, one_line(std::move(seen)));
+}
+
 class Run {
   public:
     Run(const ConformanceSettings& settings, const CheckReceiver& receiver,
@@ -32,6 +56,8 @@ class Run {
         report_.checks.push_back({std::string(row.name), verdict.outcome, one_line(verdict.seen),
                                   std::string(row.required)});
         if (receiver_) receiver_(report_.checks.back());
+        // What a check that failed has left on the way is not for the next one.
+        if (verdict.outcome == CheckOutcome::kFailed) probe_.close();
     }
     /// Why no check that moves may be made; empty: they may.
     [[nodiscard]] std::string hindrance() const {
@@ -47,12 +73,9 @@ class Run {
 };
 
 Result<ConformanceReport> Run::all() {
-    for (ProbeLink* link : {&probe_.motion, &probe_.monitor}) {
-        if (const auto opened = link->open(); !opened) {
-            return device_error("{}; is the server on the controller started?",
-                                opened.error().message);
-        }
-    }
+    const auto limit = probe_.settings.reply_limit;
+    if (auto s = check_free(probe_.motion, "motion", limit); !s) return forward_error(s.error());
+    if (auto s = check_free(probe_.monitor, "monitor", limit); !s) return forward_error(s.error());
     for (const CheckRow& row : still_checks()) {
         if (stop_.stop_requested()) return cancelled_error();
         add(row, row.check(probe_));
@@ -65,7 +88,9 @@ Result<ConformanceReport> Run::all() {
         const std::string why_not = hindrance();
         const Verdict verdict = why_not.empty() ? row.check(probe_) : skipped(why_not);
         add(row, verdict);
-        if (must_pass(row.name) && verdict.outcome == CheckOutcome::kFailed) not_ready_ = true;
+        if (verdict.outcome != CheckOutcome::kFailed) continue;
+        if (must_pass(row.name)) not_ready_ = true;
+        wait_until_it_stands(probe_);
     }
     return std::move(report_);
 }

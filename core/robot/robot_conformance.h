@@ -51,8 +51,8 @@ struct ConformanceReport {
 /// Told of each check when it is done.
 using CheckReceiver = std::function<void(const ConformanceCheck&)>;
 
-/// An error if one of the ports cannot be reached at all, or it was stopped; then nothing moves any
-/// more. With `move`, joint 6 is brought back to where it was.
+/// An error if one of the ports cannot be reached or is held by another client, or if it was
+/// stopped; then nothing moves any more. With `move`, joint 6 is brought back to where it was.
 [[nodiscard]] Result<ConformanceReport> check_conformance(const ConformanceSettings& settings,
                                                           const CheckReceiver& receiver,
                                                           const std::stop_token& stop);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/integration/program.h"
+#include "tests/support/mock_bends.h"
 #include "tests/support/mock_controller.h"
 
 namespace gripscan::test {
@@ -42,7 +43,7 @@ TEST(RobotCheck, MovesWhereItMayAndComesBack) {
 
 TEST(RobotCheck, AControllerThatDoesNotConformIsStatusOne) {
     MockController controller;
-    controller.flaw(Flaw::kAnyVersion);
+    controller.hears(Side::kMotion, with("HELLO 99", "HELLO 1"));
     const auto result = run_program(check_of(controller));
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.out, HasSubstr("failed   hello.version"));
@@ -60,6 +61,19 @@ TEST(RobotCheck, NobodyThereIsStatusThree) {
     EXPECT_EQ(result.status, 3);
     EXPECT_EQ(result.out, "");
     EXPECT_THAT(result.err, HasSubstr("localhost:" + std::to_string(port)));
+}
+
+TEST(RobotCheck, APortThatAnotherClientHoldsIsStatusThreeWithOneMessage) {
+    MockController controller;
+    const auto holder = TcpConnection::connect("127.0.0.1", controller.motion_port(),
+                                               deadline_in(std::chrono::seconds(5)));
+    ASSERT_TRUE(holder);
+    const auto result = run_program(check_of(controller));
+    EXPECT_EQ(result.status, 3) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, HasSubstr(std::to_string(controller.motion_port()) + " (motion)"));
+    EXPECT_THAT(result.err, HasSubstr("end the other client"));
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
 }
 
 }  // namespace

@@ -63,6 +63,35 @@ TEST(Simcell, ServesWhatItsFilesSayUntilItIsStopped) {
     EXPECT_TRUE(std::filesystem::exists(folder / "truth" / "truth.json"));
 }
 
+TEST(Simcell, ConformsAsTheProgramsOwnCheckSeesIt) {
+    const TemporaryFolder folder;
+    const auto cell_path = folder / "cell" / "cell.yaml";
+    ProgramResult check;
+    const ProgramResult served = interrupt_program(
+        {"simcell", "--port", "0", "--time-scale", "5", "--json", "--cell-out",
+         (folder / "cell").string()},
+        [&] {
+            if (!std::filesystem::exists(cell_path)) return false;
+            const std::string yaml = read_text(cell_path);
+            check = run_program({"robot-check",
+                                 "127.0.0.1:" + std::to_string(port_in(yaml, "port")), "--move",
+                                 "--monitor-port", std::to_string(port_in(yaml, "monitor_port"))});
+            return true;
+        });
+    EXPECT_EQ(served.status, 0) << served.err;
+    EXPECT_EQ(check.status, 0) << check.out << check.err;
+    EXPECT_THAT(check.out, ::testing::HasSubstr("passed   move.return"));
+    // One line, so that who starts it can read it while it serves.
+    ASSERT_EQ(std::count(served.out.begin(), served.out.end(), '\n'), 1) << served.out;
+    const auto json = served.json();
+    ASSERT_TRUE(json.is_object()) << served.out;
+    EXPECT_EQ(json["format"], "gripscan-simcell/1");
+    const std::string yaml = read_text(cell_path);
+    EXPECT_EQ(json["motion_port"], port_in(yaml, "port"));
+    EXPECT_EQ(json["monitor_port"], port_in(yaml, "monitor_port"));
+    EXPECT_EQ(json["frames_port"], port_in(yaml.substr(yaml.find("driver: frames")), "port"));
+}
+
 TEST(Simcell, SaysWhyItDoesNotStart) {
     const ProgramResult unknown = run_program({"simcell", "--port", "0", "--fault", "gremlin"});
     EXPECT_EQ(unknown.status, 2);

@@ -14,7 +14,7 @@ inline gsp::GspSettings quick_settings(const MockController& controller) {
     settings.monitor_port = controller.monitor_port();
     settings.joint6_speed_deg_s = 7200.0;
     settings.connect_limit = milliseconds(1000);
-    settings.reply_limit = milliseconds(250);
+    settings.reply_limit = milliseconds(400);
     settings.done_margin = milliseconds(300);
     settings.retry_pause = milliseconds(10);
     settings.beat_period = milliseconds(50);

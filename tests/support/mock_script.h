@@ -12,13 +12,17 @@
 
 namespace gripscan::test {
 
-/// Where in a turn something happens.
+/// Where in the exchange something happens.
 enum class Point {
-    kRequest,   ///< the command was read, nothing came of it yet
-    kAccepted,  ///< it was taken; ACC is to be sent
-    kMoving,    ///< ACC was sent, the arm is on its way
-    kDone,      ///< the arm stands; DONE is to be sent
-    kQuestion,  ///< on the monitor: the reply is to be sent
+    kHello,           ///< on the motion connection: the reply to HELLO is to be sent
+    kRequest,         ///< the command was read, nothing came of it yet
+    kAccepted,        ///< it was taken; ACC is to be sent
+    kMoving,          ///< ACC was sent, the arm is on its way
+    kDone,            ///< the arm stands; DONE is to be sent
+    kMonitorRequest,  ///< on the monitor: anything was read, nothing came of it yet
+    kMonitorHello,    ///< on the monitor: the reply to HELLO is to be sent
+    kQuestion,        ///< on the monitor: the reply to STATE or POS is to be sent
+    kStop,            ///< on the monitor: the arm was stopped; OK STOP is to be sent
 };
 
 /// Trouble of the link.
@@ -31,25 +35,23 @@ enum class Mischief {
     kSplit,     ///< sends it byte by byte
     kJoined,    ///< sends it together with what follows
     kTwice,     ///< sends it twice
+    kBabble,    ///< sends ends of lines without end
     kRestart,   ///< halts the arm, forgets all ids, closes everything
 };
 
-/// What a server may have got wrong for good.
+/// What a server may have got wrong for good, beyond what it hears and says (see Bends).
 enum class Flaw {
-    kShortPosition,     ///< POS without its frames
-    kAnyVersion,        ///< greets whoever asks for another version
-    kSilentOnUnknown,   ///< no reply to what it does not know
-    kClosesOnLong,      ///< a line of 201 characters closes the link
-    kBearsAll,          ///< stays whatever comes
-    kRepeatMoves,       ///< a repeated id turns the joint once more
-    kForgetsIds,        ///< any id is new
-    kNeverBusy,         ///< takes another command while the arm moves
-    kDeafToStop,        ///< OK STOP, and goes on
-    kNoLimits,          ///< takes any speed and target
-    kPoseStands,        ///< the pose does not follow the joints
-    kForgetsOnLoss,     ///< a lost link loses its ids
-    kNeverTellsMoving,  ///< STATE knows no motion
-    kServoOff,          ///< STATE: servo off
+    kTurnsOnMonitor,   ///< takes J6ABS there too
+    kOneMonitorEver,   ///< serves no second client of the monitor
+    kRepeatMoves,      ///< a repeated id turns the joint once more
+    kTakesOldIds,      ///< a lower id is new
+    kTakesOtherTurns,  ///< the same id with another angle or speed is new
+    kNeverBusy,        ///< takes another command while the arm moves
+    kDeafToStop,       ///< OK STOP, and goes on
+    kNoLimits,         ///< takes any speed and target
+    kForgetsOnLoss,    ///< a lost link loses its ids
+    kStuckAfterLoss,   ///< refuses new turns after a link was lost on the way
+    kDoneTooEarly,     ///< DONE, with the target as position, while the arm is on its way
 };
 
 /// From any thread.

@@ -1,7 +1,10 @@
 #include "core/robot/gsp_exchange.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "core/robot/command_ids.h"
 
 namespace gripscan::gsp {
 namespace {
@@ -180,6 +183,30 @@ TEST(GspExchange, OnlyALossThatWasHealedSendsAgainAndNotForEver) {
 TEST(GspExchange, AStaleIdTellsWhereToGoOn) {
     const auto result = step(TurnSent{}, inputs().at("ERR 304"), kRules);
     EXPECT_EQ(std::get<TurnFailed>(result.state).error.last_id, 40);
+}
+
+TEST(GspExchange, AStaleIdThatLeadsNowhereIsNotAskedAgain) {
+    struct Case {
+        std::string text;
+        RobotFault fault;
+    };
+    for (const auto& [text, fault] : std::vector<Case>{
+             {"last=17 other arguments", RobotFault::kStaleId},
+             {"last=16 passed", RobotFault::kProtocol},
+             {"last=0", RobotFault::kProtocol},
+             {"last=4000000000", RobotFault::kProtocol},
+             {"passed", RobotFault::kProtocol},
+             {fmt::format("last={}", kGreatestId - 1), RobotFault::kStaleId},
+             {fmt::format("last={}", kGreatestId), RobotFault::kRefused},
+             {"last=2147483647", RobotFault::kRefused},
+         }) {
+        const auto result =
+            step(TurnSent{}, Reply(Failure{kId, ErrorCode::kStaleId, text}), kRules);
+        const RobotError& error = std::get<TurnFailed>(result.state).error;
+        EXPECT_EQ(error.fault, fault) << text;
+        EXPECT_EQ(error.code, 304) << text;
+        EXPECT_THAT(error.message, HasSubstr(text));
+    }
 }
 
 }  // namespace

@@ -83,6 +83,7 @@ TEST(GspLink, ChecksOnThisSideBeforeAnythingIsSent) {
     for (const auto& [command, words] : std::vector<Case>{
              {turn_to(0, 10.0), "id"},
              {turn_to(-5, 10.0), "id"},
+             {turn_to(std::numeric_limits<int>::max(), 10.0), "id"},
              {turn_to(1, 10.0, 0.5), "speed"},
              {turn_to(1, 10.0, 31.0), "speed"},
              {turn_to(1, 10.0, std::nan("")), "speed"},

@@ -8,13 +8,15 @@
 namespace gripscan::gsp {
 
 inline std::string name_of(test::Point point) {
-    static constexpr std::array kNames{"Request", "Accepted", "Moving", "Done", "Question"};
+    static constexpr std::array kNames{"Hello",        "Request",  "Accepted",
+                                       "Moving",       "Done",     "MonitorRequest",
+                                       "MonitorHello", "Question", "Stop"};
     return kNames.at(static_cast<std::size_t>(point));
 }
 
 inline std::string name_of(test::Mischief mischief) {
     static constexpr std::array kNames{"Drop",  "HalfOpen", "Never", "Late",   "Garbled",
-                                       "Split", "Joined",   "Twice", "Restart"};
+                                       "Split", "Joined",   "Twice", "Babble", "Restart"};
     return kNames.at(static_cast<std::size_t>(mischief));
 }
 

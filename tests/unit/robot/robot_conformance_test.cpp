@@ -5,53 +5,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/mock_controller.h"
+#include "tests/support/mock_bends.h"
+#include "tests/unit/robot/conformance_run.h"
 
 namespace gripscan::gsp {
 namespace {
 
 using std::chrono::milliseconds;
-using test::Mischief;
 using test::MockController;
-using test::Point;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-ConformanceSettings settings_of(const MockController& controller, bool move) {
-    ConformanceSettings settings;
-    settings.motion_port = controller.motion_port();
-    settings.monitor_port = controller.monitor_port();
-    settings.move = move;
-    settings.reply_limit = milliseconds(400);
-    settings.motion_limit = milliseconds(5000);
-    settings.split_pause = milliseconds(10);
-    return settings;
-}
-
-ConformanceReport report_of(MockController& controller, bool move) {
-    controller.turns_for(milliseconds(150));
-    auto report = check_conformance(settings_of(controller, move), {}, {});
-    EXPECT_TRUE(report);
-    return report ? *report : ConformanceReport{};
-}
-
-std::vector<std::string> names(const ConformanceReport& report, CheckOutcome outcome) {
-    std::vector<std::string> result;
-    for (const auto& check : report.checks) {
-        if (check.outcome == outcome) result.push_back(check.name);
-    }
-    return result;
-}
-
-std::string failures(const ConformanceReport& report) {
-    std::string text;
-    for (const auto& check : report.checks) {
-        if (check.outcome != CheckOutcome::kFailed) continue;
-        text += fmt::format("{}: {} (required: {})\n", check.name, check.seen, check.required);
-    }
-    return text;
-}
 
 TEST(RobotConformance, AControllerThatKeepsToTheProtocolConforms) {
     MockController controller;
@@ -91,65 +56,25 @@ TEST(RobotConformance, EveryCheckIsTold) {
     EXPECT_EQ(static_cast<std::size_t>(told), report->checks.size());
 }
 
-// Controllers that are broken on purpose, and the check that has to find it.
-
-struct Broken {
-    std::string check;
-    std::function<void(MockController&)> how;
-};
-
-class BrokenController : public testing::TestWithParam<Broken> {};
-
-TEST_P(BrokenController, IsFoundOut) {
+TEST(RobotConformance, ACommandThatMustBeRefusedMovesNothingEvenIfItIsTaken) {
     MockController controller;
-    GetParam().how(controller);
-    const ConformanceReport report = report_of(controller, GetParam().check.starts_with("move."));
-    EXPECT_FALSE(report.conforms());
-    EXPECT_THAT(names(report, CheckOutcome::kFailed), Contains(GetParam().check))
-        << failures(report);
+    controller.flaw(test::Flaw::kTurnsOnMonitor)
+        .flaw(test::Flaw::kNoLimits)
+        .hears(test::Side::kMotion, test::without_words_beyond(4));
+    EXPECT_FALSE(report_of(controller, false).conforms());
+    EXPECT_EQ(controller.arm().moves(), 0) << "without permission to move";
+    controller.arm().shift_joint(5, 40.0);
+    ASSERT_FALSE(report_of(controller, true).conforms());
+    EXPECT_GE(controller.stops(), 3) << "whoever takes 400 deg is stopped at once";
+    EXPECT_LT(controller.arm().joints_deg()[5], 360.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Every, BrokenController,
-    testing::Values(
-        Broken{"hello.motion",
-               [](MockController& c) {
-                   c.introduces_itself_as({"LRMate", 5, "GSP/1.0"});
-               }},
-        Broken{"hello.monitor",
-               [](MockController& c) {
-                   c.introduces_itself_as({"LRMate", 6, "XYZ/9"});
-               }},
-        Broken{"state", [](MockController& c) { c.at(Point::kQuestion, Mischief::kGarbled); }},
-        Broken{"position", [](MockController& c) { c.flaw(test::Flaw::kShortPosition); }},
-        Broken{"hello.version", [](MockController& c) { c.flaw(test::Flaw::kAnyVersion); }},
-        Broken{"unknown", [](MockController& c) { c.flaw(test::Flaw::kSilentOnUnknown); }},
-        Broken{"frame.long", [](MockController& c) { c.flaw(test::Flaw::kClosesOnLong); }},
-        Broken{"frame.endless", [](MockController& c) { c.flaw(test::Flaw::kBearsAll); }},
-        Broken{"move.repeat", [](MockController& c) { c.flaw(test::Flaw::kRepeatMoves); }},
-        Broken{"move.stale", [](MockController& c) { c.flaw(test::Flaw::kForgetsIds); }},
-        Broken{"move.conflict", [](MockController& c) { c.flaw(test::Flaw::kForgetsIds); }},
-        Broken{"move.busy", [](MockController& c) { c.flaw(test::Flaw::kNeverBusy); }},
-        Broken{"move.stop", [](MockController& c) { c.flaw(test::Flaw::kDeafToStop); }},
-        Broken{"move.range", [](MockController& c) { c.flaw(test::Flaw::kNoLimits); }},
-        Broken{"move.speed", [](MockController& c) { c.flaw(test::Flaw::kNoLimits); }},
-        Broken{"move.ids", [](MockController& c) { c.reports_joint6_off(0.3); }},
-        Broken{"move.others", [](MockController& c) { c.turns_joint5_along(0.1); }},
-        Broken{"move.pose", [](MockController& c) { c.flaw(test::Flaw::kPoseStands); }},
-        Broken{"move.lost", [](MockController& c) { c.flaw(test::Flaw::kForgetsOnLoss); }},
-        Broken{"move.watch", [](MockController& c) { c.flaw(test::Flaw::kNeverTellsMoving); }}),
-    [](const auto& test) {
-        std::string name = test.param.check;
-        std::replace(name.begin(), name.end(), '.', '_');
-        return name + "_" + std::to_string(test.index);
-    });
-
-TEST(RobotConformance, AControllerThatIsNotReadyIsNotMoved) {
+TEST(RobotConformance, IdsThatAreNearlyUsedUpAreTold) {
     MockController controller;
-    controller.flaw(test::Flaw::kServoOff);
+    controller.remembers(std::numeric_limits<int>::max());
     const ConformanceReport report = report_of(controller, true);
-    EXPECT_THAT(names(report, CheckOutcome::kFailed), Contains("move.ready"));
-    EXPECT_THAT(names(report, CheckOutcome::kSkipped), Contains("move.turn"));
+    EXPECT_THAT(names(report, CheckOutcome::kFailed), ElementsAre("move.ids"));
+    EXPECT_THAT(failures(report), HasSubstr("used up"));
     EXPECT_EQ(controller.arm().moves(), 0);
 }
 
@@ -160,6 +85,33 @@ TEST(RobotConformance, APortThatCannotBeReachedIsAnError) {
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().kind, ErrorKind::kDevice);
     EXPECT_THAT(report.error().message, HasSubstr(std::to_string(settings.motion_port)));
+}
+
+TEST(RobotConformance, APortThatAnotherClientHoldsIsAnErrorSoon) {
+    for (const bool motion : {true, false}) {
+        MockController controller;
+        const auto port = motion ? controller.motion_port() : controller.monitor_port();
+        auto holder =
+            TcpConnection::connect("127.0.0.1", port, deadline_in(std::chrono::seconds(5)));
+        ASSERT_TRUE(holder);
+        const auto begin = std::chrono::steady_clock::now();
+        const auto report = check_conformance(settings_of(controller, false), {}, {});
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, milliseconds(4000));
+        ASSERT_FALSE(report);
+        EXPECT_EQ(report.error().kind, ErrorKind::kDevice);
+        EXPECT_THAT(report.error().message, HasSubstr(std::to_string(port)));
+        EXPECT_THAT(report.error().message, HasSubstr(motion ? "(motion)" : "(monitor)"));
+        EXPECT_THAT(report.error().message, HasSubstr("end the other client"));
+    }
+}
+
+TEST(RobotConformance, AControllerThatSaysItIsBusyIsAnErrorSoon) {
+    MockController controller;
+    controller.says(test::Side::kMonitor, test::instead_of("OK HELLO", "ERR 0 303 one client"));
+    const auto report = check_conformance(settings_of(controller, false), {}, {});
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().kind, ErrorKind::kDevice);
+    EXPECT_THAT(report.error().message, HasSubstr("ERR 0 303 one client"));
 }
 
 TEST(RobotConformance, AStopRequestEndsIt) {

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/units.h"
-#include "core/concurrency/tcp_listener.h"
 #include "core/robot/line_channel.h"
 #include "core/sim/free_ports.h"
+#include "tests/unit/sim/served_cabinet.h"
 
 namespace gripscan::sim {
 namespace {
@@ -14,26 +13,6 @@ using std::chrono::milliseconds;
 
 /// What a test waits for at most; nothing here takes a tenth of it on an idle machine.
 constexpr milliseconds kPatience{10000};
-
-/// Controller and arm behind two real ports, a hundred times as fast as in life.
-class ServedCabinet {
-  public:
-    explicit ServedCabinet(const std::vector<std::string>& faults = {})
-        : cabinet(ArmMotion({0, 0, 0, 0, rad_from_deg(-90), 0}, 3), {},
-                  parse_faults(faults).value(), cell_clock(100.0)),
-          ports_(open_listeners(0, 2).value()),
-          motion(std::move(ports_[0]), LinkKind::kMotion, cabinet),
-          monitor(std::move(ports_[1]), LinkKind::kMonitor, cabinet) {}
-
-    Cabinet cabinet;
-
-  private:
-    std::vector<TcpListener> ports_;
-
-  public:
-    LinkServer motion;
-    LinkServer monitor;
-};
 
 /// A client as simple as a terminal.
 class Terminal {
