@@ -85,15 +85,37 @@ void Draft::shoot(const Shot& shot) {
     drive_to(joint6_of(shot.commanded_rad), shot);
 }
 
+void Draft::shoot_from_below(const Shot& shot) {
+    const TurnPlan& plan = state.plan;
+    const double target_rad = joint6_of(shot.commanded_rad);
+    const double below_rad = target_rad - plan.approach_rad;
+    const bool moves = plan.mode == MotionMode::kSim || plan.mode == MotionMode::kLive;
+    const auto standing_rad = standing_joint6_rad(state);
+    const bool there = standing_rad && stands_at(*standing_rad, target_rad);
+    // Journals without that choice were written by a program that did not do this.
+    const bool wanted = plan.warm_up_in_place && below_rad >= joint_ranges()[5].min_rad;
+    if (!moves || !there || !wanted) return shoot(shot);
+    send(below_rad, {target_rad}, shot);
+}
+
+bool Draft::may_be_under_way(const activity::Moving& moving) const {
+    if (moving.command.id == 0) return false;
+    const auto standing_rad = standing_joint6_rad(state);
+    if (!standing_rad || !state.plan.warm_up_in_place) return true;
+    const double left_rad = std::abs(moving.command.angle_rad - *standing_rad);
+    return left_rad < state.plan.largest_move_rad + rad_from_deg(0.1);
+}
+
 void Draft::begin_again(const Activity& activity) {
     if (const auto* moving = std::get_if<activity::Moving>(&activity)) {
         // An id whose end is unknown is asked for again: the controller never turns twice for it.
-        if (moving->command.id != 0) return begin(*moving);
+        if (may_be_under_way(*moving)) return begin(*moving);
+        if (moving->shot) return shoot_from_below(*moving->shot);
         return drive_to(moving->target_rad(), moving->shot);
     }
     // The cell may have been started anew since, and stand at its home.
     if (const auto* exposing = std::get_if<activity::Exposing>(&activity)) {
-        return shoot(exposing->shot);
+        return shoot_from_below(exposing->shot);
     }
     begin(activity);
 }

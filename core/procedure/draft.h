@@ -26,6 +26,9 @@ class Draft {
     void drive_to(double joint6_rad, const std::optional<Shot>& shot);
     /// Takes the shot where it belongs: drives there first if joint 6 stands elsewhere.
     void shoot(const Shot& shot);
+    /// The same, and where the joint stands there already it is approached anew: which way it came
+    /// is not known.
+    void shoot_from_below(const Shot& shot);
     /// Begins what an interrupted activity still needs, as things are now.
     void begin_again(const Activity& activity);
 
@@ -54,6 +57,8 @@ class Draft {
     [[nodiscard]] std::vector<double> way_from(double from_rad, double to_rad) const;
 
   private:
+    /// The joint stands where it can be on its way to the end of this motion.
+    [[nodiscard]] bool may_be_under_way(const activity::Moving& moving) const;
     void log_way_to(double joint6_rad);
     void send(double angle_rad, std::vector<double> then_rad, const std::optional<Shot>& shot);
 };

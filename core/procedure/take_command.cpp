@@ -64,7 +64,7 @@ struct TakeCommand {
         const Shot shot = draft.shot_at(0.0);
         // Without motion rights the turn begins where the joint stands.
         if (s.plan.mode == MotionMode::kManual) return draft.begin(activity::Exposing{shot});
-        draft.shoot(shot);
+        draft.shoot_from_below(shot);
     }
 
     void operator()(const command::Step&) const {

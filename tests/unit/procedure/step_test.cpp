@@ -457,6 +457,53 @@ TEST(Step, AWarmUpThatWasCutOffIsBegunAgainAtTheSameAngles) {
     EXPECT_NEAR(bench.cell.joint6_rad, undisturbed.cell.joint6_rad, 1e-9);
 }
 
+TEST(Step, TheFirstViewIsApproachedUpwardsToo) {
+    Bench bench;
+    bench.command(command::Connect{});
+    bench.command(command::CheckCell{});
+    bench.command(command::Capture{});  // without a warm-up, the joint stands at the start
+    EXPECT_THAT(bench.cell.motions_rad, ElementsAre(deg(-183.0), deg(-180.0)));
+    EXPECT_THAT(bench.used_deg(), ElementsAre(0));
+}
+
+/// The program was killed in the middle of something, and the cell with it: it stands at its home.
+TEST(Step, AKilledRunArrivesAtEveryAngleAsAnUndisturbedOneDoes) {
+    Bench bench;
+    bench.state.plan.largest_move_rad = deg(40.0);
+    bench.first_steps(20);
+    bench.give(command::Step{});
+    ASSERT_TRUE(std::holds_alternative<effect::Turn>(bench.waiting.front()));
+    const auto kill = [&] {
+        bench.waiting.clear();
+        bench.give(event::ProgramEnded{});
+        bench.cell = FakeCell{};
+        bench.command(command::Connect{});
+    };
+    kill();
+    // The motion that was under way begins far from there now: in pieces, under new ids.
+    ASSERT_TRUE(bench.give(command::Resume{}));
+    const auto* turn = std::get_if<effect::Turn>(&bench.waiting.front());
+    ASSERT_NE(turn, nullptr);
+    EXPECT_LE(turn->command.angle_rad, deg(-180.0 + 40.0) + 1e-9);
+    bench.work_off();
+    EXPECT_EQ(bench.state.data.used().size(), 22U);
+    EXPECT_NEAR(bench.cell.joint6_rad, deg(-180.0 + 210.0), 1e-9);
+
+    // Killed while the first view is exposed, at home: it stands there, but has not come from
+    // below.
+    Bench first;
+    first.ready();
+    first.give(command::Capture{});
+    while (!std::holds_alternative<effect::Expose>(first.waiting.front())) first.work_off(1);
+    first.waiting.clear();
+    first.give(event::ProgramEnded{});
+    first.cell = FakeCell{};
+    first.command(command::Connect{});
+    first.command(command::Resume{});
+    EXPECT_THAT(first.cell.motions_rad, ElementsAre(deg(-183.0), deg(-180.0)));
+    EXPECT_THAT(first.used_deg(), ElementsAre(0));
+}
+
 TEST(Step, AJournalWithoutThatChoiceWarmsUpAtTheStartOfTheTurn) {
     Bench bench;
     bench.state.plan.warm_up_in_place.reset();
