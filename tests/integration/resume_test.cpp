@@ -1,6 +1,9 @@
 // A run that is killed goes on with --resume to the results of an undisturbed one.
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <vector>
+
 #include "core/session/cell_file.h"
 #include "tests/integration/program.h"
 #include "tests/support/temporary_folder.h"
@@ -132,7 +135,19 @@ TEST(DryRun, WritesTheMotionsDownAndMovesNothing) {
             const auto json = dry.json();
             EXPECT_EQ(json["format"], "gripscan-rehearsal/1");
             EXPECT_EQ(json["mode"], "DRY");
-            EXPECT_EQ(json["joint6_deg"].size(), 12U);
+            // The steps, then the way home in pieces, passed by the approach and reached from
+            // below.
+            const auto motions = json["joint6_deg"].get<std::vector<double>>();
+            EXPECT_EQ(motions.size(), 12U + 10U + 1U);
+            if (motions.size() != 23) return true;
+            for (std::size_t k = 0; k < 12; ++k) {
+                EXPECT_NEAR(motions[k], -150.0 + 30.0 * static_cast<double>(k), 1e-6);
+            }
+            for (std::size_t k = 1; k < motions.size(); ++k) {
+                EXPECT_LE(std::abs(motions[k] - motions[k - 1]), 40.0 + 1e-6) << k;
+            }
+            EXPECT_NEAR(motions[21], -183.0, 1e-6);
+            EXPECT_NEAR(motions[22], -180.0, 1e-6);
             const auto file = load_cell_file(cell);
             EXPECT_TRUE(file);
             if (!file) return true;
