@@ -93,7 +93,8 @@ class MockController {
     [[nodiscard]] int stops() const { return stops_; }
     [[nodiscard]] int turns_received() const { return turns_received_; }
 
-    static constexpr std::chrono::milliseconds kLate{800};
+    /// Longer than a reply is waited for in quick_settings, and not twice as long.
+    static constexpr std::chrono::milliseconds kLate{600};
 
   private:
     static constexpr std::chrono::milliseconds kTick{2};
