@@ -140,14 +140,15 @@ TEST(DryRun, WritesTheMotionsDownAndMovesNothing) {
             const auto motions = json["joint6_deg"].get<std::vector<double>>();
             EXPECT_EQ(motions.size(), 12U + 10U + 1U);
             if (motions.size() != 23) return true;
+            const double start = motions.back();
+            EXPECT_NEAR(start, -180.0, 0.006) << "where the encoder says that it stands: 6 sigma";
             for (std::size_t k = 0; k < 12; ++k) {
-                EXPECT_NEAR(motions[k], -150.0 + 30.0 * static_cast<double>(k), 1e-6);
+                EXPECT_NEAR(motions[k] - start, 30.0 * static_cast<double>(k + 1), 1e-6);
             }
             for (std::size_t k = 1; k < motions.size(); ++k) {
                 EXPECT_LE(std::abs(motions[k] - motions[k - 1]), 40.0 + 1e-6) << k;
             }
-            EXPECT_NEAR(motions[21], -183.0, 1e-6);
-            EXPECT_NEAR(motions[22], -180.0, 1e-6);
+            EXPECT_NEAR(motions[21] - start, -3.0, 1e-6);
             const auto file = load_cell_file(cell);
             EXPECT_TRUE(file);
             if (!file) return true;
