@@ -2,6 +2,7 @@
 
 #include "core/procedure/cell_check.h"
 #include "core/procedure/measure_cell.h"
+#include "core/procedure/robot_effects.h"
 
 namespace gripscan {
 namespace {
@@ -33,13 +34,15 @@ struct CellEffects::Doing {
     const ProcedureState& state;
     const Progress& progress;
 
-    Event operator()(const effect::OpenLink&) const { return self.open_link(); }
+    Event operator()(const effect::OpenLink&) const { return open_link(self.cell_.robot); }
     Event operator()(const effect::MeasureCell&) const {
         auto report = self.checked(state, {}, progress);
         if (!report) return event::WorkFailed{report.error().message};
         return event::CellChecked{std::move(*report)};
     }
-    Event operator()(const effect::Turn& e) const { return self.turn(e.command, progress.stop); }
+    Event operator()(const effect::Turn& e) const {
+        return turn(self.cell_.robot, e.command, progress.stop);
+    }
     Event operator()(const effect::LogTurn&) const { return event::TurnLogged{}; }
     Event operator()(const effect::Expose& e) const { return self.expose_shot(e.shot, progress); }
     Event operator()(const effect::Judge& e) const { return self.judge(e, state, progress); }
@@ -69,21 +72,6 @@ void CellEffects::halt() {
     if (cell_.robot != nullptr) (void)cell_.robot->stop();
 }
 
-Event CellEffects::open_link() {
-    event::LinkUp up;
-    if (cell_.robot == nullptr) return up;
-    auto identity = cell_.robot->connect();
-    if (!identity) return event::LinkDown{identity.error().message};
-    auto controller = cell_.robot->state();
-    if (!controller) return event::LinkDown{controller.error().message};
-    auto reading = cell_.robot->read();
-    if (!reading) return event::LinkDown{reading.error().message};
-    up.identity = std::move(*identity);
-    up.controller = std::move(*controller);
-    up.reading = *reading;
-    return up;
-}
-
 Result<CellReport> CellEffects::checked(const ProcedureState& state, const WarmUpAxis& warm_up,
                                         const Progress& progress) {
     std::vector<WarmUpView> views;
@@ -111,27 +99,11 @@ Result<CellReport> CellEffects::checked(const ProcedureState& state, const WarmU
     return assess(facts, state.plan);
 }
 
-Event CellEffects::turn(const Joint6Command& command, std::stop_token stop) {
-    if (cell_.robot == nullptr) {
-        return event::TurnFailed{RobotFault::kUnreachable, 0, "the cell has no robot to turn"};
-    }
-    auto reading = cell_.robot->turn_joint6(command, std::move(stop));
-    if (reading) return event::Arrived{*reading};
-    const RobotError& error = reading.error();
-    return event::TurnFailed{error.fault, error.last_id, error.message};
-}
-
 Event CellEffects::expose_shot(const Shot& shot, const Progress& progress) {
     auto exposure =
         expose(cell_.robot, cell_.source, shot, cell_.differs, cell_.exposure, progress.stop);
     if (!exposure) return event::ExposureFailed{exposure.error().message};
-    CaptureRecord record;
-    record.index = shot.index;
-    record.attempt = shot.attempt;
-    record.commanded_rad = shot.commanded_rad;
-    record.before = exposure->before;
-    record.joint6_after_rad = exposure->joint6_after_rad;
-    record.t_s = exposure->frame.t_s;
+    const CaptureRecord record = record_of(shot, *exposure);
     if (shot.purpose == ShotPurpose::kWarmUp) {
         if (shot.index == -1) warm_up_.clear();
         RecordedCapture capture = store_.recorded({&record, 1}).front();

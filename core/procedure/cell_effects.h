@@ -58,8 +58,6 @@ class CellEffects : public EffectRunner {
 
   private:
     struct Doing;
-    [[nodiscard]] Event open_link();
-    [[nodiscard]] Event turn(const Joint6Command& command, std::stop_token stop);
     [[nodiscard]] Event expose_shot(const Shot& shot, const Progress& progress);
     [[nodiscard]] Event judge(const effect::Judge& pair, const ProcedureState& state,
                               const Progress& progress);

@@ -21,6 +21,16 @@ struct EffectOf {
     Effect operator()(const activity::AwaitingOperator&) const { return effect::SaveTable{}; }
 };
 
+/// A motion along these angles, of which there is one at least. Its command has neither id nor
+/// speed yet.
+activity::Moving along(std::vector<double> way, const std::optional<Shot>& shot) {
+    activity::Moving moving;
+    moving.command.angle_rad = way.front();
+    moving.then_rad.assign(way.begin() + 1, way.end());
+    moving.shot = shot;
+    return moving;
+}
+
 }  // namespace
 
 bool same_angle(double a_rad, double b_rad) {
@@ -35,9 +45,11 @@ void Draft::begin(Activity activity) {
     state.phase = phase::Busy{std::move(activity)};
 }
 
-void Draft::send(double angle_rad, std::vector<double> then_rad, const std::optional<Shot>& shot) {
-    const Joint6Command command{state.next_motion_id++, angle_rad, state.plan.speed_percent};
-    begin(activity::Moving{command, std::move(then_rad), shot});
+void Draft::send(std::vector<double> way, const std::optional<Shot>& shot) {
+    activity::Moving moving = along(std::move(way), shot);
+    moving.command.id = state.next_motion_id++;
+    moving.command.speed_percent = state.plan.speed_percent;
+    begin(std::move(moving));
 }
 
 std::vector<double> Draft::way_from(double from_rad, double to_rad) const {
@@ -48,20 +60,13 @@ std::vector<double> Draft::way_from(double from_rad, double to_rad) const {
 
 void Draft::log_way_to(double joint6_rad) {
     const auto& logged = state.rehearsed_joint6_rad;
+    const double start_rad = joint6_of(0.0);
     std::vector<double> way;
-    if (logged.empty()) {
-        const double start_rad = joint6_of(0.0);
-        way = way_from(standing_joint6_rad(state).value_or(start_rad), start_rad);
-    }
-    const double from_rad = !way.empty()     ? way.back()
-                            : logged.empty() ? joint6_of(0.0)
-                                             : logged.back();
-    const auto pieces = way_from(from_rad, joint6_rad);
-    way.insert(way.end(), pieces.begin(), pieces.end());
-    const double first_rad = way.front();
-    way.erase(way.begin());
+    if (logged.empty()) way = way_from(standing_joint6_rad(state).value_or(start_rad), start_rad);
+    const auto on = way_from(logged.empty() ? start_rad : logged.back(), joint6_rad);
+    way.insert(way.end(), on.begin(), on.end());
     effects.emplace_back(effect::LogTurn{});
-    state.phase = phase::Busy{activity::Moving{{0, first_rad, 0.0}, std::move(way), std::nullopt}};
+    state.phase = phase::Busy{along(std::move(way), std::nullopt)};
 }
 
 void Draft::drive_to(double joint6_rad, const std::optional<Shot>& shot) {
@@ -76,9 +81,7 @@ void Draft::drive_to(double joint6_rad, const std::optional<Shot>& shot) {
         if (!shot) return rest();
         return begin(activity::Exposing{*shot});
     }
-    const double first_rad = way.front();
-    way.erase(way.begin());
-    send(first_rad, std::move(way), shot);
+    send(std::move(way), shot);
 }
 
 void Draft::shoot(const Shot& shot) {
@@ -92,16 +95,19 @@ void Draft::shoot_from_below(const Shot& shot) {
     const bool moves = plan.mode == MotionMode::kSim || plan.mode == MotionMode::kLive;
     const auto standing_rad = standing_joint6_rad(state);
     const bool there = standing_rad && stands_at(*standing_rad, target_rad);
-    // Journals without that choice were written by a program that did not do this.
-    const bool wanted = plan.warm_up_in_place && below_rad >= joint_ranges()[5].min_rad;
+    const bool wanted = approaches_anew() && below_rad >= joint_ranges()[5].min_rad;
     if (!moves || !there || !wanted) return shoot(shot);
-    send(below_rad, {target_rad}, shot);
+    send({below_rad, target_rad}, shot);
+}
+
+bool Draft::approaches_anew() const {
+    return state.plan.warm_up_in_place.has_value();
 }
 
 bool Draft::may_be_under_way(const activity::Moving& moving) const {
     if (moving.command.id == 0) return false;
     const auto standing_rad = standing_joint6_rad(state);
-    if (!standing_rad || !state.plan.warm_up_in_place) return true;
+    if (!standing_rad || !approaches_anew()) return true;
     const double left_rad = std::abs(moving.command.angle_rad - *standing_rad);
     return left_rad < state.plan.largest_move_rad + rad_from_deg(0.1);
 }

@@ -57,10 +57,13 @@ class Draft {
     [[nodiscard]] std::vector<double> way_from(double from_rad, double to_rad) const;
 
   private:
+    /// Where a resumed run stands is not trusted. Journals that do not say where the warm-up is
+    /// made were written by a program that did not do so, and are read by its rules.
+    [[nodiscard]] bool approaches_anew() const;
     /// The joint stands where it can be on its way to the end of this motion.
     [[nodiscard]] bool may_be_under_way(const activity::Moving& moving) const;
     void log_way_to(double joint6_rad);
-    void send(double angle_rad, std::vector<double> then_rad, const std::optional<Shot>& shot);
+    void send(std::vector<double> way, const std::optional<Shot>& shot);
 };
 
 /// The command's own part of step(); Draft::refused where it makes no sense now.

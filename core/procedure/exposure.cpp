@@ -52,9 +52,21 @@ Result<Exposure> expose(RobotLink* robot, StereoSource& source, const Shot& shot
         return exposure;
     }
     return device_error(
-        "the scene does not come to rest: {} ({} pairs of exposures); longer settling, or something "
+        "the scene does not come to rest: {} ({} pairs of exposures); longer settling, or "
+        "something "
         "moves in the registration area",
         why, settings.tries);
+}
+
+CaptureRecord record_of(const Shot& shot, const Exposure& exposure) {
+    CaptureRecord record;
+    record.index = shot.index;
+    record.attempt = shot.attempt;
+    record.commanded_rad = shot.commanded_rad;
+    record.before = exposure.before;
+    record.joint6_after_rad = exposure.joint6_after_rad;
+    record.t_s = exposure.frame.t_s;
+    return record;
 }
 
 }  // namespace gripscan

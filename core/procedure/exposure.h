@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/camera/stereo_source.h"
+#include "core/procedure/capture_record.h"
 #include "core/procedure/shot.h"
 #include "core/robot/robot_link.h"
 
@@ -28,11 +29,14 @@ struct Exposure {
     std::optional<double> joint6_after_rad;
 };
 
-/// `robot` may be null. Errors: robot or camera failed, the scene does not come to rest (the message
-/// says what moved), cancelled.
+/// `robot` may be null. Errors: robot or camera failed, the scene does not come to rest (the
+/// message says what moved), cancelled.
 [[nodiscard]] Result<Exposure> expose(RobotLink* robot, StereoSource& source, const Shot& shot,
                                       const StillnessTest& differs,
                                       const ExposureSettings& settings, std::stop_token stop);
+
+/// What the table of captures keeps of it.
+[[nodiscard]] CaptureRecord record_of(const Shot& shot, const Exposure& exposure);
 
 /// Waits, unless stopped before; false: stopped.
 [[nodiscard]] bool wait_for(double seconds, std::stop_token stop);

@@ -60,11 +60,6 @@ Result<Plan> plan_of(const SimCellSettings& settings) {
     return plan;
 }
 
-}  // namespace
-
-/// In the order in which they need each other: the servers end first.
-namespace {
-
 /// What the server of a real controller allows, too (assets/fanuc/gs_conf.kl).
 sim::ControllerSettings controller_settings() {
     sim::ControllerSettings settings;
@@ -75,6 +70,7 @@ sim::ControllerSettings controller_settings() {
 
 }  // namespace
 
+/// In the order in which they need each other: the servers end first.
 struct SimCell::Impl {
     sim::CellLayout layout;
     sim::CellLayout at_work;

@@ -3,8 +3,6 @@
 #include <map>
 #include <sstream>
 
-#include "ui/shell/key_stroke.h"
-
 namespace gripscan::ui {
 namespace {
 
@@ -25,8 +23,9 @@ bool of_text(Rest& rest, ScriptStep& step) {
 }
 
 bool a_key(Rest& rest, ScriptStep& step) {
-    step = script::Key{rest.text};
-    return key_stroke(rest.text).has_value();
+    const auto stroke = key_stroke(rest.text);
+    if (stroke) step = script::Key{*stroke};
+    return stroke.has_value();
 }
 
 bool a_wait(Rest& rest, ScriptStep& step) {

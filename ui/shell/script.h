@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "ui/shell/key_stroke.h"
 
 namespace gripscan::ui {
 
@@ -20,7 +21,7 @@ struct RightClick {  ///< `menu ID`
     std::string id;
 };
 struct Key {  ///< `key Space`
-    std::string name;
+    KeyStroke stroke;
 };
 struct Type {  ///< `type some text`
     std::string text;

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "ui/shell/key_stroke.h"
-
 namespace gripscan::ui {
 namespace {
 
@@ -66,12 +64,7 @@ struct ScriptPlayer::Play {
     }
     bool operator()(const script::WaitFor& s) const { return ready(s.id).has_value(); }
     bool operator()(const script::Key& s) const {
-        const auto stroke = key_stroke(s.name);
-        if (!stroke) {
-            self.trouble_ = fmt::format("there is no key '{}'", s.name);
-            return false;
-        }
-        const auto set = [stroke = *stroke](bool down) {
+        const auto set = [stroke = s.stroke](bool down) {
             ImGuiIO& io = ImGui::GetIO();
             io.KeyCtrl = stroke.control && down;
             io.KeysDown[number_of(stroke)] = down;

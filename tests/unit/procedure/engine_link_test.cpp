@@ -8,6 +8,7 @@
 
 #include "core/procedure/engine.h"
 #include "core/procedure/exposure.h"
+#include "core/procedure/robot_effects.h"
 #include "core/robot/gsp_link.h"
 #include "core/sim/cabinet.h"
 #include "core/sim/sim_cell.h"
@@ -44,52 +45,30 @@ class NotingCamera : public StereoSource {
 /// Link and exposures are the real ones; only what is computed from the pictures is made up.
 class LinkedWork : public EffectRunner {
   public:
+    static constexpr double kTimeScale = 50.0;
+
     LinkedWork(RobotLink& robot, StereoSource& camera) : robot_(robot), camera_(camera) {}
 
     Event run(const Effect& effect, const ProcedureState& state, std::stop_token stop) override {
-        if (std::holds_alternative<effect::OpenLink>(effect)) return open_link();
-        if (const auto* turn = std::get_if<effect::Turn>(&effect)) {
-            auto reading = robot_.turn_joint6(turn->command, stop);
-            if (reading) return event::Arrived{*reading};
-            return event::TurnFailed{reading.error().fault, reading.error().last_id,
-                                     reading.error().message};
+        if (std::holds_alternative<effect::OpenLink>(effect)) return open_link(&robot_);
+        if (const auto* e = std::get_if<effect::Turn>(&effect)) {
+            return turn(&robot_, e->command, stop);
         }
-        if (const auto* shot = std::get_if<effect::Expose>(&effect)) {
-            return exposed(shot->shot, stop);
-        }
+        if (const auto* e = std::get_if<effect::Expose>(&effect)) return exposed(e->shot, stop);
         return computed_.run(effect, state, stop);
     }
     void halt() override { (void)robot_.stop(); }
 
   private:
-    Event open_link() {
-        auto identity = robot_.connect();
-        if (!identity) return event::LinkDown{identity.error().message};
-        auto controller = robot_.state();
-        if (!controller) return event::LinkDown{controller.error().message};
-        auto reading = robot_.read();
-        if (!reading) return event::LinkDown{reading.error().message};
-        return event::LinkUp{*identity, *controller, *reading};
-    }
     Event exposed(const Shot& shot, const std::stop_token& stop) {
         const StillnessTest still = [](const auto&, const auto&) { return std::nullopt; };
         // The arm trembles for a while after it has arrived.
         const ExposureSettings settings{.settle_s = 0.3 / kTimeScale, .tries = 1, .pause_s = 0.0};
-        auto exposure = expose(&robot_, camera_, shot, still, settings, stop);
+        const auto exposure = expose(&robot_, camera_, shot, still, settings, stop);
         if (!exposure) return event::ExposureFailed{exposure.error().message};
-        CaptureRecord record;
-        record.index = shot.index;
-        record.attempt = shot.attempt;
-        record.commanded_rad = shot.commanded_rad;
-        record.before = exposure->before;
-        record.joint6_after_rad = exposure->joint6_after_rad;
-        return event::Exposed{record};
+        return event::Exposed{record_of(shot, *exposure)};
     }
 
-  public:
-    static constexpr double kTimeScale = 50.0;
-
-  private:
     RobotLink& robot_;
     StereoSource& camera_;
     FakeCell unused_;

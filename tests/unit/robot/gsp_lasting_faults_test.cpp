@@ -20,8 +20,6 @@ using test::MockController;
 using test::Point;
 using testing::HasSubstr;
 
-constexpr int kForEver = 100000;
-
 GspSettings settings_for(const MockController& controller) {
     auto settings = test::quick_settings(controller);
     settings.max_recoveries = 1;

@@ -2,6 +2,7 @@
 // the reply.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <future>
 
 #include "tests/support/gsp_link_settings.h"
@@ -17,7 +18,6 @@ using test::Mischief;
 using test::MockController;
 using test::Point;
 
-constexpr int kForEver = 100000;
 constexpr std::array kTroubles{Mischief::kDrop,   Mischief::kHalfOpen, Mischief::kNever,
                                Mischief::kLate,   Mischief::kGarbled,  Mischief::kSplit,
                                Mischief::kJoined, Mischief::kTwice,    Mischief::kBabble};
@@ -143,7 +143,8 @@ const std::vector<Silence>& silences() {
     return all;
 }
 
-TEST(GspStopFaults, StopDoesNotWaitForABeatThatHangs) {
+/// Calls `stop` with a turn under way behind each silence, once its beat hangs.
+void behind_each_silence(const std::function<void(Turning&, MockController&)>& stop) {
     for (const Silence& silence : silences()) {
         SCOPED_TRACE(silence.what);
         MockController controller;
@@ -152,28 +153,27 @@ TEST(GspStopFaults, StopDoesNotWaitForABeatThatHangs) {
                         [&](const RobotBeat&) { ++beats; });
         for (const auto& [point, mischief] : silence.script) controller.at(point, mischief);
         expect_no_more_beats(beats);
+        stop(turning, controller);
+    }
+}
+
+TEST(GspStopFaults, StopDoesNotWaitForABeatThatHangs) {
+    behind_each_silence([](Turning& turning, MockController& controller) {
         const auto begin = steady_clock::now();
         const auto stopped = turning.link.stop();
         EXPECT_LT(steady_clock::now() - begin, kSoon);
         EXPECT_TRUE(stopped) << stopped.error().message;
         expect_stopped(turning.outcome(), controller);
         EXPECT_TRUE(turning.link.read()) << "the question that made way is not missed";
-    }
+    });
 }
 
 TEST(GspStopFaults, AStopRequestDoesNotWaitForABeatThatHangs) {
-    for (const Silence& silence : silences()) {
-        SCOPED_TRACE(silence.what);
-        MockController controller;
-        std::atomic<int> beats = 0;
-        Turning turning(controller, patient_settings(controller),
-                        [&](const RobotBeat&) { ++beats; });
-        for (const auto& [point, mischief] : silence.script) controller.at(point, mischief);
-        expect_no_more_beats(beats);
+    behind_each_silence([](Turning& turning, MockController& controller) {
         turning.request_stop();
         EXPECT_TRUE(halts_soon(controller));
         expect_stopped(turning.outcome(), controller);
-    }
+    });
 }
 
 TEST(GspStopFaults, StopIsOutBeforeAnythingIsAnswered) {

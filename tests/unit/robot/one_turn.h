@@ -13,6 +13,9 @@ inline constexpr double kTarget_deg = 20.0;
 inline const Joint6Command kTurn{17, rad_from_deg(kTarget_deg), 10.0};
 inline const Joint6Command kNext{18, rad_from_deg(2 * kTarget_deg), 10.0};
 
+/// More often than a test exchanges anything.
+inline constexpr int kForEver = 100000;
+
 /// Half a unit of the fourth decimal.
 inline constexpr double kRounding_rad = rad_from_deg(5e-5);
 
