@@ -105,7 +105,16 @@ void LiveTurn::note_beat(const RobotBeat& beat) {
 Result<std::optional<std::string>> LiveTurn::submit(const Command& command) {
     auto reply = run_->engine().submit(command);
     clock_.tell(state(), now_s());
+    tell_live_view();
     return reply;
+}
+
+void LiveTurn::tell_live_view() {
+    const auto* busy_with = std::get_if<phase::Busy>(&state().phase);
+    const bool operator_turns =
+        busy_with != nullptr &&
+        std::holds_alternative<activity::AwaitingOperator>(busy_with->activity);
+    live_->set_quiet(busy() && !operator_turns ? "the turn has the processor to itself" : "");
 }
 
 Status LiveTurn::pump() {
@@ -118,6 +127,7 @@ Status LiveTurn::pump() {
         stage_.clear();
     }
     clock_.tell(state(), now_s());
+    tell_live_view();
     return {};
 }
 
@@ -132,6 +142,7 @@ ui::CellFrame LiveTurn::frame() const {
     ui::CellFrame frame;
     frame.rig = seen_.rig();
     frame.region = cell.region;
+    if (!run_->cell_options().simulated()) frame.file = run_->cell_options().cell;
     frame.T_robot_camera = cell.T_robot_camera;
     const AxisEstimate* axis = nullptr;
     if (state().warm_up && state().warm_up->axis) axis = &*state().warm_up->axis;

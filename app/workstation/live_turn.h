@@ -50,6 +50,8 @@ class LiveTurn {
     explicit LiveTurn(std::function<void()> wake);
     Status begin(const TurnRunOptions& options, const Progress& progress);
     void note_beat(const RobotBeat& beat);
+    /// Live pairs are matched only while the turn itself has nothing to do.
+    void tell_live_view();
     [[nodiscard]] ui::CellFrame frame() const;
 
     std::function<void()> wake_;

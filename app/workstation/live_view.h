@@ -1,5 +1,6 @@
 // Live images while nothing else uses the camera: a thread that takes pictures at a modest rate and
-// keeps the latest. Pictures that captures take are shown too.
+// keeps the latest. Pictures that captures take are shown too. A second thread matches one pair now
+// and then, while nothing else computes, and tells what only a matched pair can.
 #pragma once
 
 #include <atomic>
@@ -18,8 +19,11 @@ struct LiveViewSettings {
     double rate_hz = 5.0;
     std::optional<Box> region;  ///< where exposure is measured
     /// Says whether another picture could differ from the last; empty: always. A simulated camera
-    /// need not take the same picture again and again.
+    /// need not take the same picture again and again, and takes as long as it computes: it is
+    /// never late.
     std::function<bool()> worth_a_look;
+    double matched_every_s = 0.7;  ///< at most so often a pair is matched …
+    double matching_share = 0.25;  ///< … and in at most so much of the time, on one core
 };
 
 class LiveView {
@@ -35,15 +39,22 @@ class LiveView {
     /// A frame that anybody took; from any thread.
     void show(const FrameRequest& request, const StereoFrame& frame);
     void start(SharedSource& camera);
-    /// Takes no further picture of its own; returns once that is so.
-    void stop() { thread_ = {}; }
+    /// Takes and matches no further picture of its own; returns once that is so.
+    void stop();
     void set_on(bool on);
+    /// Why no pair is to be matched now; empty: it may. One that is being matched is given up.
+    void set_quiet(const std::string& why);
+    /// For the window: whoever asks has seen the latest picture.
     [[nodiscard]] ui::LiveStereo shown() const;
 
   private:
     LiveView(Rectifier rectifier, LiveViewSettings settings, std::function<void()> wake);
     void loop(SharedSource& camera, const std::stop_token& stop);
     bool wait_for_turn(const std::stop_token& stop);
+    void note_late();
+    void match_loop(const std::stop_token& stop);
+    /// The next pair to match; null: stopped.
+    std::shared_ptr<const ui::StereoPicture> wait_for_pair(const std::stop_token& stop);
 
     Rectifier rectifier_;
     LiveViewSettings settings_;
@@ -51,8 +62,13 @@ class LiveView {
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     ui::LiveStereo shown_;
+    mutable std::uint64_t seen_ = 0;  ///< number of the picture that the window has
+    std::uint64_t looked_at_ = 0;     ///< number of the pair that was matched or given up
+    std::stop_source matching_;       ///< of the pair that is being matched
     double last_shown_s_ = 0.0;
-    std::jthread thread_;  // last: it uses all of the above
+    double due_s_ = 0.0;  ///< when the next picture is; of the first thread alone
+    std::jthread matcher_;
+    std::jthread thread_;  // last: they use all of the above
 };
 
 }  // namespace gripscan::app

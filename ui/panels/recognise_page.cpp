@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "ui/panels/panel_parts.h"
 #include "ui/panels/recognise_column.h"
 #include "ui/panels/stereo_images.h"
 #include "ui/panels/text_table.h"
 #include "ui/panels/view3d_overlays.h"
+#include "ui/theme/on_plate.h"
 #include "ui/views/recognition_text.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/choice.h"
@@ -60,8 +62,28 @@ struct Overlay {
                  colours[static_cast<std::size_t>(k)], 2.4F);
         }
     }
-    /// Name and score above the highest corner.
-    void label(const FoundTemplate& found, const Colour& colour) const {
+    /// The nearest place above or below that overlaps none of those taken.
+    [[nodiscard]] Rect free_place(const Rect& wanted, const std::vector<Rect>& taken) const {
+        const auto is_free = [&](const Rect& place) {
+            return place.y >= rect.y && place.bottom() <= rect.bottom() &&
+                   std::ranges::none_of(taken, [&](const Rect& other) {
+                       return place.x < other.right() && other.x < place.right() &&
+                              place.y < other.bottom() && other.y < place.bottom();
+                   });
+        };
+        const int step = wanted.height + ui.em(0.14F);
+        for (int i = 0; i * step < rect.height; ++i) {
+            for (const int way : {-1, 1}) {
+                Rect place = wanted;
+                place.y += way * i * step;
+                if (is_free(place)) return place;
+            }
+        }
+        return wanted;
+    }
+    /// Name and score above the highest corner; further up, else further down, where another label
+    /// stands already.
+    void label(const FoundTemplate& found, const Colour& colour, std::vector<Rect>& taken) const {
         std::optional<ImVec2> top;
         for (const Eigen::Vector3d& corner : found.box.corners()) {
             const auto px = at(found.T_camera_template * corner);
@@ -78,10 +100,12 @@ struct Overlay {
                                  std::max(rect.x, rect.right() - width - ui.em(0.43F)));
         const int y =
             std::max(rect.y + ui.em(0.43F), static_cast<int>(top->y) - height - ui.em(0.43F));
-        fill({x, y, width, height}, ui.theme.plate, ui.scale.em(0.21F));
-        const float middle = static_cast<float>(y) + 0.5F * static_cast<float>(height);
+        const Rect plate = free_place({x, y, width, height}, taken);
+        taken.push_back(plate);
+        fill(plate, ui.theme.plate, ui.scale.em(0.21F));
+        const float middle = middle_of(plate);
         const float end = draw_text(ui, static_cast<float>(x) + pad, middle, FontRole::kTableStrong,
-                                    colour, found.name);
+                                    on_plate(ui.theme, colour), found.name);
         draw_text(ui, end + pad, middle, FontRole::kNumberTable, ui.theme.plate_text, score);
     }
 };
@@ -117,8 +141,8 @@ void draw_image(const Ui& ui, const Rect& rect, const Snapshot& snapshot, Stereo
     const auto which = local.image.disparity ? StereoImage::kDisparity : StereoImage::kLeft;
     CellFrame camera_alone;  // without the registration area
     camera_alone.rig = snapshot.cell.rig;
-    (void)draw_stereo_image(ui, {which, picture, "recognise.image", ""}, *shown->picture,
-                            camera_alone, parts, local.image);
+    (void)draw_stereo_image(ui, {which, picture, "recognise.image"}, *shown->picture, camera_alone,
+                            parts, local.image);
     if (!snapshot.cell.rig) return;
     const cv::Mat& left = shown->picture->left;
     const ImageZoom& zoom = which == StereoImage::kLeft ? local.image.first : local.image.second;
@@ -133,10 +157,13 @@ void draw_image(const Ui& ui, const Rect& rect, const Snapshot& snapshot, Stereo
                         {static_cast<float>(picture.right()), static_cast<float>(picture.bottom())},
                         true);
     for (std::size_t i = shown->found.size(); i-- > 0;) {
-        const Colour colour = ui.theme.*colour_of_found(*shown, i);
-        overlay.box(shown->found[i], colour);
+        overlay.box(shown->found[i], ui.theme.*colour_of_found(*shown, i));
         overlay.frame_axes(shown->found[i]);
-        overlay.label(shown->found[i], colour);
+    }
+    // The best find has the first choice of a place.
+    std::vector<Rect> taken;
+    for (std::size_t i = 0; i < shown->found.size(); ++i) {
+        overlay.label(shown->found[i], ui.theme.*colour_of_found(*shown, i), taken);
     }
     ImGui::PopClipRect();
 }

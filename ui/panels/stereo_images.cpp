@@ -7,6 +7,7 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/theme/colour_map.h"
+#include "ui/theme/on_plate.h"
 #include "ui/widgets/draw.h"
 
 namespace gripscan::ui {
@@ -69,16 +70,23 @@ void draw_area(const Ui& ui, const ImagePlace& place, const ImageFrame& frame,
     }
 }
 
-/// Returns the row of the image that the ruler lies on.
-int draw_ruler(const Ui& ui, const ImagePlace& place, const ImageFrame& frame,
-               const ImageZoom& zoom, double ruler) {
+/// A row through the image; beside the right one stands which, and how far the rows are apart.
+void draw_ruler(const Ui& ui, const ImagePlace& place, const ImageFrame& frame,
+                const ImageZoom& zoom, double ruler) {
     const double row = ruler * frame.image_px.y();
     const ImVec2 at = on_screen(place.rect, frame.to_frame(zoom, {0.0, row}));
     if (at.y > static_cast<float>(place.rect.y) && at.y < static_cast<float>(place.rect.bottom())) {
         draw_line(ui, {static_cast<float>(place.rect.x), at.y},
                   {static_cast<float>(place.rect.right()), at.y}, ui.theme.axis);
     }
-    return static_cast<int>(row);
+    if (place.which != StereoImage::kRight) return;
+    const int whole = static_cast<int>(row);
+    const auto below = on_screen(place.rect, frame.to_frame(zoom, {0.0, whole + 0.5}));
+    draw_plate(ui, static_cast<float>(place.rect.right()) - ui.scale.em(0.57F),
+               std::min(below.y + ui.scale.em(1.0F),
+                        static_cast<float>(place.rect.bottom()) - ui.scale.em(1.0F)),
+               row_text(whole, place.row_error_px), Align::kRight,
+               on_plate(ui.theme, ui.theme.axis), FontRole::kNumberCaption);
 }
 
 struct ImageMouse {
@@ -161,17 +169,12 @@ std::string draw_stereo_image(const Ui& ui, const ImagePlace& place, const Stere
     draw_area(ui, place, frame, zoom, cell);
     const Eigen::Vector2d pixel = frame.to_image(zoom, mouse.at);
     if (mouse.hovered) local.ruler = std::clamp(pixel.y() / frame.image_px.y(), 0.0, 1.0);
-    const int row = draw_ruler(ui, place, frame, zoom, local.ruler);
-    if (place.which == StereoImage::kRight) {
-        const auto at = on_screen(place.rect, frame.to_frame(zoom, {0.0, row + 0.5}));
-        draw_plate(ui, static_cast<float>(place.rect.right()) - ui.scale.em(0.57F),
-                   std::min(at.y + ui.scale.em(1.0F),
-                            static_cast<float>(place.rect.bottom()) - ui.scale.em(1.0F)),
-                   row_text(row, picture), Align::kRight, ui.theme.axis, FontRole::kNumberCaption);
+    if (place.ruler) draw_ruler(ui, place, frame, zoom, local.ruler);
+    if (!place.name.empty()) {
+        draw_plate(ui, static_cast<float>(place.rect.x) + ui.scale.em(0.57F),
+                   static_cast<float>(place.rect.y) + ui.scale.em(1.21F), place.name, Align::kLeft,
+                   ui.theme.plate_text, FontRole::kSmall);
     }
-    draw_plate(ui, static_cast<float>(place.rect.x) + ui.scale.em(0.57F),
-               static_cast<float>(place.rect.y) + ui.scale.em(1.21F), place.name, Align::kLeft,
-               ui.theme.plate_text, FontRole::kSmall);
     ImGui::PopClipRect();
     if (!mouse.hovered) return {};
     const auto x = static_cast<int>(std::floor(pixel.x()));

@@ -25,8 +25,10 @@ enum class StereoImage { kLeft, kRight, kDisparity };
 struct ImagePlace {
     StereoImage which = StereoImage::kLeft;
     Rect rect;
-    std::string_view id;    ///< "stereo.left"
-    std::string_view name;  ///< "Left"
+    std::string_view id;         ///< "stereo.left"
+    std::string_view name = {};  ///< "Left"; empty: it goes without saying
+    bool ruler = false;          ///< a row through it; its text stands in the right image
+    std::optional<double> row_error_px = {};
 };
 
 /// Draws it and takes the mouse: wheel zooms, drag moves, the ruler follows. Returns the read-out

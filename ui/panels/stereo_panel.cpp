@@ -46,15 +46,13 @@ void draw_header(const Ui& ui, const Rect& rect, const Snapshot& snapshot,
         live.why_disabled = "a recording has no camera";
     }
     if (icon_button(ui, tool, live)) out.emplace_back(request::LiveView{!snapshot.live.on});
-    const bool has_disparity = shown.picture && !shown.picture->disparity.empty();
     const std::array<Option, 2> options{
         {{"stereo.left_right", "L+R"},
          {"stereo.left_disparity",
           "L+D",
           Icon::kNone,
           {},
-          has_disparity ? std::string_view()
-                        : "no disparity was computed of these images: captures have one"}}};
+          shown.has_disparity ? std::string_view() : "no disparity was computed of these images"}}};
     const Rect choice{tool.x - ui.em(0.43F) - ui.em(7.0F),
                       rect.y + (rect.height - ui.em(1.57F)) / 2, ui.em(7.0F), ui.em(1.57F)};
     draw_text(ui, title_x, y, FontRole::kSmall, ui.theme.text_third,
@@ -138,9 +136,11 @@ std::string draw_second(const Ui& ui, const Rect& rect, const ShownPicture& show
                         const Snapshot& snapshot, StereoTextures::Parts* textures,
                         StereoPanelState& local) {
     const bool disparity = local.disparity && !shown.picture->disparity.empty();
+    const auto row_error_px = pair_facts(snapshot, shown).row_error_px;
     const ImagePlace place =
-        disparity ? ImagePlace{StereoImage::kDisparity, rect, "stereo.disparity", "Disparity"}
-                  : ImagePlace{StereoImage::kRight, rect, "stereo.right", "Right"};
+        disparity
+            ? ImagePlace{StereoImage::kDisparity, rect, "stereo.disparity", "Disparity", true}
+            : ImagePlace{StereoImage::kRight, rect, "stereo.right", "Right", true, row_error_px};
     std::string pixel =
         draw_stereo_image(ui, place, *shown.picture, snapshot.cell, textures, local);
     if (disparity && textures != nullptr) draw_disparity_legend(ui, rect, textures->range);
@@ -154,8 +154,9 @@ void draw_images(const Ui& ui, const Rect& rect, const ShownPicture& shown,
     const Rect first{rect.x, rect.y, rect.width, (rect.height - gap) / 2};
     const Rect second{rect.x, first.bottom() + gap, rect.width, rect.height - gap - first.height};
     if (textures != nullptr) textures->show(shown.picture, snapshot.cell, ui.theme.raised);
-    std::string pixel = draw_stereo_image(ui, {StereoImage::kLeft, first, "stereo.left", "Left"},
-                                          *shown.picture, snapshot.cell, textures, local);
+    std::string pixel =
+        draw_stereo_image(ui, {StereoImage::kLeft, first, "stereo.left", "Left", true},
+                          *shown.picture, snapshot.cell, textures, local);
     std::string other = draw_second(ui, second, shown, snapshot, textures, local);
     if (pixel.empty()) pixel = std::move(other);
     if (pixel.empty()) return;
@@ -226,7 +227,7 @@ void draw_stereo_panel(const Ui& ui, const Rect& rect, const Snapshot& snapshot,
                        StereoTextures* textures, StereoPanelState& local, Requests& out) {
     if (rect.empty()) return;
     fill(rect, ui.theme.panel);
-    const ShownPicture shown = shown_picture(snapshot);
+    const ShownPicture shown = shown_picture(snapshot, local.disparity);
     const auto facts = stereo_facts(snapshot, shown);
     const Rows rows = rows_of(ui, rect, shown, facts.size());
     draw_header(ui, rows.header, snapshot, shown, local, out);

@@ -36,11 +36,32 @@ struct StereoPicture {
     double t_s = 0.0;
 };
 
+/// What only a matched pair tells, inside the registration area.
+struct PairFacts {
+    std::optional<double> fill;  ///< share of textured pixels that have a depth
+    std::string why_no_fill;
+    std::optional<double> row_error_px;  ///< median, right row minus left row
+    double row_error_sd_px = 0.0;
+    std::string why_no_row_error;
+};
+
+/// Pairs that were due or came since the camera was opened, and that nobody has seen.
+struct LostPairs {
+    std::uint64_t not_delivered = 0;  ///< the camera was asked and had trouble
+    std::uint64_t late = 0;           ///< due while the pair before was still being taken
+    std::uint64_t not_shown = 0;      ///< the next one came before the window drew it
+    [[nodiscard]] std::uint64_t all() const { return not_delivered + late + not_shown; }
+};
+
 struct LiveStereo {
     std::shared_ptr<const StereoPicture> picture;  ///< the latest; null: none yet
     std::uint64_t number = 0;                      ///< rises with every picture
     double rate_hz = 0.0;
-    std::uint64_t dropped = 0;
+    LostPairs lost;
+    /// The latest live pair that was matched, with its disparity; null: none yet.
+    std::shared_ptr<const StereoPicture> matched;
+    PairFacts matched_facts;
+    std::string why_not_matched;  ///< why live pairs are not matched now; empty: they are
     bool on = false;
     std::string why_off;  ///< "the camera is used by the capture"
     std::string trouble;  ///< of the camera; empty: none
@@ -55,8 +76,8 @@ struct ShownCapture {
     std::shared_ptr<const StereoPicture> picture;  ///< null: it came as a cloud
     /// Of an object's turn: gripper and object told apart; null: not one.
     std::shared_ptr<const ObjectSplit> split;
-    /// Distance of every point to the views beside it, m; < 0: none of them saw the place. Null: not
-    /// known yet.
+    /// Distance of every point to the views beside it, m; < 0: none of them saw the place. Null:
+    /// not known yet.
     std::shared_ptr<const std::vector<float>> residual_m;
     std::uint64_t residual_generation = 0;  ///< changes with them
 };
@@ -104,8 +125,10 @@ struct SessionFacts {
 /// The cell around the turn, as far as it is known.
 struct CellFrame {
     std::optional<RectifiedRig> rig;
-    std::optional<Box> region;  ///< registration area, camera frame
-    std::optional<Axis> axis;   ///< joint 6, camera frame
+    std::optional<Box> region;         ///< registration area, camera frame
+    std::optional<Box> wished_region;  ///< as it is to be in the next session; nothing: the same
+    std::filesystem::path file;        ///< the cell file; empty: a simulated cell, or a recording
+    std::optional<Axis> axis;          ///< joint 6, camera frame
     std::optional<double> axis_sd_rad;
     std::optional<double> axis_sd_m;
     std::optional<Pose> T_robot_camera;
@@ -193,7 +216,7 @@ struct Snapshot {
     std::optional<EnvironmentFacts> environment;          ///< nothing: not learned
     std::vector<std::string> sim_objects;                 ///< what the simulated gripper can hold
     std::vector<KeyBinding> keys;                         ///< all of them, with the user's changes
-    std::string last_export;       ///< "read back equal: 369 090 points, …"; empty: none yet
+    std::string last_export;  ///< "read back equal: 369 090 points, …"; empty: none yet
     std::string version;
 };
 

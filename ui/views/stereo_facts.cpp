@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kRowError_px = 0.30;  ///< beyond it the matcher looks in the wrong row
 constexpr double kUnequal = 0.15;      ///< share by which the two means may differ
+constexpr double kLostShare = 0.01;    ///< of the pairs that were due
+constexpr double kLongAgo_s = 5.0;     ///< what was measured then is no live number any more
 
 std::string percent(double share, int decimals = 0) {
     return shown_number(100.0 * share, decimals);
@@ -22,9 +24,9 @@ std::string percent(double share, int decimals = 0) {
 FactState within(bool good) {
     return good ? FactState::kGood : FactState::kWarning;
 }
-/// Of a number that may not have been measured: live images are not matched.
-FactState within(double value, bool good) {
-    return std::isfinite(value) ? within(good) : FactState::kNone;
+std::string with_reason(std::string meaning, const std::string& why_not_measured) {
+    return why_not_measured.empty() ? meaning
+                                    : meaning + " Not measured: " + why_not_measured + ".";
 }
 
 StereoFact mean_fact(const StereoHealth& left, const std::optional<StereoHealth>& right) {
@@ -43,14 +45,16 @@ StereoFact mean_fact(const StereoHealth& left, const std::optional<StereoHealth>
     return fact;
 }
 
-StereoFact fill_fact(const StereoHealth& left) {
+StereoFact fill_fact(const PairFacts& pair) {
     const double limit = CellLimits{}.least_fill_percent;
     return {"Fill %",
-            percent(left.fill),
+            pair.fill ? percent(*pair.fill) : "–",
             {},
             fmt::format("≥ {}", shown_number(limit, 0)),
-            within(left.fill, 100.0 * left.fill >= limit),
-            "Share of the textured pixels in the registration area that have a depth there."};
+            pair.fill ? within(100.0 * *pair.fill >= limit) : FactState::kNone,
+            with_reason("Share of the textured pixels in the registration area that have a depth "
+                        "there.",
+                        pair.why_no_fill)};
 }
 
 StereoFact saturated_fact(const StereoHealth& left, const std::optional<StereoHealth>& right) {
@@ -65,24 +69,47 @@ StereoFact saturated_fact(const StereoHealth& left, const std::optional<StereoHe
             "black. Stereo finds nothing there."};
 }
 
-StereoFact row_error_fact(const StereoHealth& left) {
-    return {"Row error px",
-            shown_number(left.row_error_px, 2),
-            {},
-            fmt::format("≤ {}", shown_number(kRowError_px, 2)),
-            within(left.row_error_px, std::abs(left.row_error_px) <= kRowError_px),
-            "Median vertical shift between the images. More means that the cameras have moved "
-            "since they were calibrated."};
+StereoFact row_error_fact(const PairFacts& pair) {
+    std::string meaning =
+        "Median vertical shift between the images. More means that the cameras have moved since "
+        "they were calibrated.";
+    if (pair.row_error_px && pair.row_error_sd_px > 0.0) {
+        meaning +=
+            fmt::format(" One standard deviation: {} px.", shown_number(pair.row_error_sd_px, 3));
+    }
+    return {
+        "Row error px",
+        pair.row_error_px ? shown_number(*pair.row_error_px, 2) : "–",
+        {},
+        fmt::format("≤ {}", shown_number(kRowError_px, 2)),
+        pair.row_error_px ? within(std::abs(*pair.row_error_px) <= kRowError_px) : FactState::kNone,
+        with_reason(std::move(meaning), pair.why_no_row_error)};
 }
 
 void add_rate(const LiveStereo& live, std::vector<StereoFact>& facts) {
-    facts.push_back({"Frames /s",
-                     shown_number(live.rate_hz, 1),
-                     {},
-                     fmt::format("{} lost", live.dropped),
-                     live.dropped == 0 ? FactState::kGood : FactState::kWarning,
-                     "Pairs that arrive, and how many were dropped since the camera was opened. "
-                     "Lost ones: lower the frame rate or give the camera a line of its own."});
+    const LostPairs& lost = live.lost;
+    const auto all = static_cast<double>(lost.all());
+    const auto due = all + static_cast<double>(live.number);
+    facts.push_back(
+        {"Frames /s",
+         shown_number(live.rate_hz, 1),
+         {},
+         fmt::format("{} lost", lost.all()),
+         within(all <= kLostShare * due),
+         fmt::format("Pairs that arrive. Lost since the camera was opened: {} of {}. {} were not "
+                     "delivered, {} were due while the pair before was still being taken, {} came "
+                     "and were followed by the next before they were drawn. More than 1 %: lower "
+                     "the frame rate or give the camera a line of its own.",
+                     lost.all(), lost.all() + live.number, lost.not_delivered, lost.late,
+                     lost.not_shown)});
+}
+
+/// Fill and row error as a capture was measured; what is no number was not.
+PairFacts facts_of(const StereoHealth& health) {
+    PairFacts facts;
+    if (std::isfinite(health.fill)) facts.fill = health.fill;
+    if (std::isfinite(health.row_error_px)) facts.row_error_px = health.row_error_px;
+    return facts;
 }
 
 std::shared_ptr<const StereoPicture> picture_of(const Snapshot& snapshot, int index) {
@@ -132,11 +159,16 @@ bool inside(const cv::Mat& image, int x, int y) {
 
 }  // namespace
 
-ShownPicture shown_picture(const Snapshot& snapshot) {
+ShownPicture shown_picture(const Snapshot& snapshot, bool with_disparity) {
     ShownPicture shown;
     const LiveStereo& live = snapshot.live;
     if (live.on && live.trouble.empty() && live.picture && snapshot.follows_last) {
-        return {live.picture, true, "live", {}};
+        const bool has_disparity = live.matched && !live.matched->disparity.empty();
+        if (!with_disparity || !has_disparity) {
+            return {live.picture, true, "live", {}, has_disparity};
+        }
+        const bool now = live.picture->t_s - live.matched->t_s <= kLongAgo_s;
+        return {live.matched, true, now ? "live" : "live, matched earlier", {}, true};
     }
     if (!live.trouble.empty()) {
         shown.why_not_live = live.trouble;
@@ -155,7 +187,23 @@ ShownPicture shown_picture(const Snapshot& snapshot) {
         shown.picture = live.picture;
         shown.title = "last live";
     }
+    shown.has_disparity = shown.picture && !shown.picture->disparity.empty();
     return shown;
+}
+
+PairFacts pair_facts(const Snapshot& snapshot, const ShownPicture& shown) {
+    if (!shown.picture) return {};
+    const LiveStereo& live = snapshot.live;
+    const bool of_live = shown.picture == live.picture || shown.picture == live.matched;
+    if (!of_live) {
+        return shown.picture->left_health ? facts_of(*shown.picture->left_health) : PairFacts{};
+    }
+    if (live.matched && live.picture && live.picture->t_s - live.matched->t_s <= kLongAgo_s) {
+        return live.matched_facts;
+    }
+    const std::string why =
+        live.why_not_matched.empty() ? "no live pair was matched yet" : live.why_not_matched;
+    return {std::nullopt, why, std::nullopt, 0.0, why};
 }
 
 std::vector<StereoFact> stereo_facts(const Snapshot& snapshot, const ShownPicture& shown) {
@@ -163,10 +211,11 @@ std::vector<StereoFact> stereo_facts(const Snapshot& snapshot, const ShownPictur
     if (shown.picture && shown.picture->left_health) {
         const StereoHealth& left = *shown.picture->left_health;
         const auto& right = shown.picture->right_health;
+        const PairFacts pair = pair_facts(snapshot, shown);
         facts.push_back(mean_fact(left, right));
-        facts.push_back(fill_fact(left));
+        facts.push_back(fill_fact(pair));
         facts.push_back(saturated_fact(left, right));
-        facts.push_back(row_error_fact(left));
+        facts.push_back(row_error_fact(pair));
     }
     if (shown.live) add_rate(snapshot.live, facts);
     if (snapshot.cell.rig) {
@@ -221,9 +270,9 @@ DisparityRange disparity_range(const StereoPicture& picture, const CellFrame& ce
     return range;
 }
 
-std::string row_text(int row, const StereoPicture& picture) {
-    if (!picture.left_health) return fmt::format("row {}", row);
-    return fmt::format("row {}  Δy {} px", row, shown_number(picture.left_health->row_error_px, 2));
+std::string row_text(int row, const std::optional<double>& row_error_px) {
+    if (!row_error_px) return fmt::format("row {}", row);
+    return fmt::format("row {}  Δy {} px", row, shown_number(*row_error_px, 2));
 }
 
 std::string level_text(const cv::Mat& grey, int x, int y) {

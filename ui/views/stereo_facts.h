@@ -28,8 +28,14 @@ struct ShownPicture {
     bool live = false;
     std::string title;  ///< "live", "capture 14"
     std::string why_not_live;
+    bool has_disparity = false;  ///< it can be shown with its disparity
 };
-[[nodiscard]] ShownPicture shown_picture(const Snapshot& snapshot);
+/// `with_disparity`: of the live pairs the one that was matched last.
+[[nodiscard]] ShownPicture shown_picture(const Snapshot& snapshot, bool with_disparity = false);
+
+/// Fill and row error of what is shown. Live pairs have those of the pair matched last, while that
+/// is not long ago; a number that is missing has its reason.
+[[nodiscard]] PairFacts pair_facts(const Snapshot& snapshot, const ShownPicture& shown);
 
 [[nodiscard]] std::vector<StereoFact> stereo_facts(const Snapshot& snapshot,
                                                    const ShownPicture& shown);
@@ -50,7 +56,7 @@ struct DisparityRange {
 [[nodiscard]] DisparityRange disparity_range(const StereoPicture& picture, const CellFrame& cell);
 
 /// "row 512  Δy 0.08 px"
-[[nodiscard]] std::string row_text(int row, const StereoPicture& picture);
+[[nodiscard]] std::string row_text(int row, const std::optional<double>& row_error_px);
 /// "412, 300: 187": pixel and level; of disparity "412, 300: 98.20 px, 702.1 mm".
 [[nodiscard]] std::string level_text(const cv::Mat& grey, int x, int y);
 [[nodiscard]] std::string disparity_text(const StereoPicture& picture, const CellFrame& cell, int x,

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ui/theme/on_plate.h"
 #include "ui/theme/theme.h"
 
 namespace gripscan::ui {
@@ -78,7 +79,22 @@ TEST_P(Contrast, OfEveryPairThatIsUsedIsEnough) {
 TEST_P(Contrast, OfLabelsOnTheBrightestImageIsEnough) {
     const auto theme = load_theme(GetParam());
     ASSERT_TRUE(theme.has_value());
-    EXPECT_GE(contrast(theme->plate_text, over(theme->plate, {255, 255, 255})), 4.5);
+    const Colour surface = over(theme->plate, {255, 255, 255});
+    EXPECT_GE(contrast(theme->plate_text, surface), 4.5);
+    for (const Member colour : {&Theme::axis, &Theme::gripper, &Theme::object, &Theme::target_safe,
+                                &Theme::source_safe, &Theme::ok, &Theme::check, &Theme::reject}) {
+        EXPECT_GE(contrast(on_plate(*theme, (*theme).*colour), surface), 4.5) << name_of(colour);
+    }
+}
+
+TEST(OnPlate, KeepsAColourThatCanBeReadAndTheHueOfOneThatCannot) {
+    const auto dark = load_theme(ThemeChoice::kDark);
+    const auto light = load_theme(ThemeChoice::kLight);
+    ASSERT_TRUE(dark && light);
+    EXPECT_EQ(on_plate(*dark, dark->axis), dark->axis);
+    const Colour axis = on_plate(*light, light->axis);
+    EXPECT_NE(axis, light->axis);
+    EXPECT_TRUE(axis.r > axis.g && axis.g > axis.b) << "still a warm one";
 }
 
 INSTANTIATE_TEST_SUITE_P(Themes, Contrast, testing::Values(ThemeChoice::kDark, ThemeChoice::kLight),

@@ -15,10 +15,21 @@ const StereoFact* fact(const std::vector<StereoFact>& facts, std::string_view la
     return found == facts.end() ? nullptr : &*found;
 }
 
+/// Live pictures, the latest of them matched.
+void show_live(Snapshot& snapshot) {
+    LiveStereo& live = snapshot.live;
+    live.picture = test::sample_picture();
+    live.matched = live.picture;
+    live.matched_facts.fill = 0.93;
+    live.matched_facts.row_error_px = 0.08;
+    live.matched_facts.row_error_sd_px = 0.004;
+    live.number = 400;
+    live.on = true;
+}
+
 TEST(StereoFacts, AreValuesAgainstTheirLimits) {
     auto scene = test::growing_scene(1, 2000);
-    scene.snapshot.live.picture = test::sample_picture();
-    scene.snapshot.live.on = true;
+    show_live(scene.snapshot);
     scene.snapshot.live.rate_hz = 14.93;
     const ShownPicture shown = shown_picture(scene.snapshot);
     EXPECT_TRUE(shown.live);
@@ -41,12 +52,53 @@ TEST(StereoFacts, BeyondALimitAreWarnings) {
     picture->left_health->row_error_px = -0.4;
     picture->right_health->mean_intensity = 80.0;
     Snapshot snapshot;
-    snapshot.live.dropped = 3;
+    snapshot.live.lost.late = 3;
+    snapshot.live.number = 200;
     const auto facts = stereo_facts(snapshot, {picture, true, "live", {}});
     for (const auto* label : {"Fill %", "Saturated %", "Row error px", "Mean level", "Frames /s"}) {
         ASSERT_NE(fact(facts, label), nullptr) << label;
         EXPECT_EQ(fact(facts, label)->state, FactState::kWarning) << label;
     }
+    snapshot.live.number = 400;
+    EXPECT_EQ(fact(stereo_facts(snapshot, {picture, true, "live", {}}), "Frames /s")->state,
+              FactState::kGood)
+        << "one in a hundred is no matter";
+}
+
+TEST(StereoFacts, OfALivePairThatIsNotMatchedAreDashesWithTheReason) {
+    auto scene = test::growing_scene(1, 2000);
+    LiveStereo& live = scene.snapshot.live;
+    show_live(scene.snapshot);
+    live.why_not_matched = "the turn has the processor to itself";
+    auto later = std::make_shared<StereoPicture>(*live.picture);
+    later->t_s += 60.0;
+    live.picture = later;
+    const auto facts = stereo_facts(scene.snapshot, shown_picture(scene.snapshot));
+    for (const auto* label : {"Fill %", "Row error px"}) {
+        EXPECT_EQ(fact(facts, label)->left, "–") << label;
+        EXPECT_EQ(fact(facts, label)->state, FactState::kNone) << label;
+        EXPECT_NE(fact(facts, label)->tooltip.find("the processor to itself"), std::string::npos);
+    }
+    later->t_s -= 58.0;
+    EXPECT_EQ(fact(stereo_facts(scene.snapshot, shown_picture(scene.snapshot)), "Fill %")->left,
+              "93")
+        << "two seconds ago is now";
+}
+
+TEST(ShownPictures, WithDisparityAreTheLivePairThatWasMatchedLast) {
+    auto scene = test::growing_scene(1, 2000);
+    show_live(scene.snapshot);
+    LiveStereo& live = scene.snapshot.live;
+    auto plain = std::make_shared<StereoPicture>(*live.picture);
+    plain->disparity = cv::Mat();
+    live.picture = plain;
+    EXPECT_EQ(shown_picture(scene.snapshot).picture, live.picture);
+    EXPECT_TRUE(shown_picture(scene.snapshot).has_disparity);
+    EXPECT_EQ(shown_picture(scene.snapshot, true).picture, live.matched);
+    EXPECT_EQ(shown_picture(scene.snapshot, true).title, "live");
+    live.matched.reset();
+    EXPECT_EQ(shown_picture(scene.snapshot, true).picture, live.picture);
+    EXPECT_FALSE(shown_picture(scene.snapshot, true).has_disparity);
 }
 
 TEST(ShownPictures, AreThoseOfTheSelectedStepWhileNotLive) {
@@ -99,7 +151,8 @@ TEST(Disparity, IsReadInPixelsAndMillimetres) {
     const DisparityRange range = disparity_range(*picture, cell);
     EXPECT_EQ(range.far_mm, "800 mm");
     EXPECT_EQ(range.near_mm, "600 mm");
-    EXPECT_EQ(row_text(120, *picture), "row 120  Δy 0.08 px");
+    EXPECT_EQ(row_text(120, 0.08), "row 120  Δy 0.08 px");
+    EXPECT_EQ(row_text(120, std::nullopt), "row 120");
 }
 
 }  // namespace

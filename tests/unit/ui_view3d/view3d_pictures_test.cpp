@@ -88,6 +88,11 @@ TEST_F(PanelPictures, OfStereoImagesLookAsApproved) {
     scene.snapshot.live.picture = test::sample_picture();
     scene.snapshot.live.on = true;
     scene.snapshot.live.rate_hz = 14.9;
+    scene.snapshot.live.number = 900;
+    scene.snapshot.live.lost.late = 2;
+    scene.snapshot.live.matched = scene.snapshot.live.picture;
+    scene.snapshot.live.matched_facts.fill = 0.93;
+    scene.snapshot.live.matched_facts.row_error_px = 0.08;
     expect_stereo("live-dark", scene, {});
     scene.snapshot.live.trouble = "the camera answers no more";
     StereoPanelState local;
