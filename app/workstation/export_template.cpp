@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/workstation/stoppable_loop.h"
 #include "core/base/atomic_file.h"
 #include "core/base/units.h"
-
 #include "core/cloud/cloud_file.h"
 #include "core/geometry/axis_frame.h"
 
@@ -55,6 +55,32 @@ std::string sidecar(const TurnReport& report, const ui::ExportWish& wish, const 
            "\n";
 }
 
+/// The points as they are wanted. Errors: none are left, no axis is known, cancelled.
+Result<Cloud> wanted_cloud(const TurnReport& report, const ui::ExportWish& wish,
+                           const Progress& progress, const ForEach& for_each) {
+    const FilteredTemplate filtered =
+        filter_template(report.merged, wish.filter, stoppable(for_each, progress.stop));
+    if (progress.cancelled()) return cancelled_error();
+    Cloud cloud = select(report.merged, filtered.kept);
+    if (cloud.empty()) {
+        return input_error("nothing is left to export: the filters take all {} points away",
+                           report.merged.size());
+    }
+    drop_unwanted(cloud, wish);
+    if (!wish.axis_frame) return cloud;
+    if (!report.axis) {
+        return input_error("no joint axis is known for this turn; export in the camera's frame");
+    }
+    return transformed(cloud, T_axis_camera(report.axis->axis, centroid(cloud)));
+}
+
+Status save_sidecar(const TurnReport& report, const ui::ExportWish& wish, const Cloud& cloud,
+                    const Progress& progress) {
+    if (progress.cancelled()) return cancelled_error();
+    return write_file_atomically(fs::path(wish.file.string() + ".json"),
+                                 sidecar(report, wish, cloud));
+}
+
 }  // namespace
 
 JournalFields journal_fields(const ui::ExportWish& wish) {
@@ -71,38 +97,31 @@ JournalFields journal_fields(const Exported& exported) {
 }
 
 Result<Exported> export_template(const TurnReport& report, const ui::ExportWish& wish,
-                                 const ForEach& for_each) {
+                                 const Progress& progress, const ForEach& for_each) {
+    constexpr std::size_t kStages = 3;
     std::error_code code;
     if (fs::exists(wish.file, code)) {
         return input_error("{} is there already; choose another name, nothing is overwritten",
                            wish.file.string());
     }
-    const FilteredTemplate filtered = filter_template(report.merged, wish.filter, for_each);
-    Cloud cloud = select(report.merged, filtered.kept);
-    if (cloud.empty()) {
-        return input_error("nothing is left to export: the filters take all {} points away",
-                           report.merged.size());
-    }
-    drop_unwanted(cloud, wish);
-    if (wish.axis_frame) {
-        if (!report.axis) {
-            return input_error(
-                "no joint axis is known for this turn; export in the camera's frame");
-        }
-        cloud = transformed(cloud, T_axis_camera(report.axis->axis, centroid(cloud)));
-    }
+    progress.tell("filter", 0, kStages);
+    const auto cloud = wanted_cloud(report, wish, progress, for_each);
+    if (!cloud) return forward_error(cloud.error());
+    progress.tell("write", 1, kStages);
+    if (progress.cancelled()) return cancelled_error();
     fs::create_directories(wish.file.parent_path(), code);
     CloudFileOptions options;
     options.encoding = wish.encoding;
     options.metres_per_unit = wish.millimetres ? 0.001 : 1.0;
-    if (Status saved = save_cloud(wish.file, cloud, options); !saved) {
+    if (Status saved = save_cloud(wish.file, *cloud, options); !saved) {
         return forward_error(saved.error());
     }
-    const fs::path beside = wish.file.string() + ".json";
-    if (Status saved = write_file_atomically(beside, sidecar(report, wish, cloud)); !saved) {
+    progress.tell("sidecar", 2, kStages);
+    if (Status saved = save_sidecar(report, wish, *cloud, progress); !saved) {
+        fs::remove(wish.file, code);  // without its sidecar it cannot say what it is
         return forward_error(saved.error());
     }
-    return Exported{wish.file, cloud.size(), fs::file_size(wish.file, code)};
+    return Exported{wish.file, cloud->size(), fs::file_size(wish.file, code)};
 }
 
 }  // namespace gripscan::app

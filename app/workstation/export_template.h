@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/for_each.h"
+#include "core/base/progress.h"
 #include "core/procedure/journal.h"
 #include "core/registration/turn_report.h"
 #include "ui/views/request.h"
@@ -21,9 +22,10 @@ struct Exported {
 /// "exported", what came of it.
 [[nodiscard]] JournalFields journal_fields(const Exported& exported);
 
-/// Read back and compared before it appears. Errors: no points, no axis for the axis frame, a file
-/// that is there already, one that cannot be written.
+/// Read back and compared before it appears. Errors, after which neither the file nor its sidecar
+/// is there: no points, no axis for the axis frame, a file that is there already, one that cannot
+/// be written, cancelled.
 [[nodiscard]] Result<Exported> export_template(const TurnReport& report, const ui::ExportWish& wish,
-                                               const ForEach& for_each);
+                                               const Progress& progress, const ForEach& for_each);
 
 }  // namespace gripscan::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/workstation/picture_file.h"
+#include "ui/render/picture_crop.h"
 #include "ui/resources/resource_file.h"
 
 namespace gripscan::app {
@@ -36,11 +37,19 @@ ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
     station_.pump(input.ui.time_s);
     for (const auto& path : input.dropped) pass_on(ui::request::Open{path});
     if (input.close_requested) pass_on(ui::request::Quit{});
-    const ui::Snapshot snapshot = station_.snapshot();
+    ui::Snapshot snapshot = station_.snapshot();
     ui::Requests requests;
-    const std::string caption = player_ ? player_->caption() : "";
+    // A photograph of the 3D view takes one frame without what stands over it.
+    const bool photograph = view_picture_ && !parts_.wants_another_frame();
+    screen_.view3d.photograph = photograph;
+    if (photograph) snapshot.toasts.clear();
+    const std::string caption = player_ && !photograph ? player_->caption() : "";
     ui::draw_screen(input.ui, input.width_px, input.height_px, snapshot, caption,
                     input.last.total_ms(), screen_, parts_, requests);
+    if (photograph) {
+        take_picture(picture_file("-view"), screen_.view3d.picture_rect);
+        screen_.view3d.photograph = view_picture_ = false;
+    }
     for (const ui::Request& request : requests) pass_on(request);
     if (times_) times_->note(input, requests.size());
     station_.set_splits(screen_.splits);
@@ -49,7 +58,7 @@ ui::FrameWish FrameLoop::frame(const ui::FrameInput& input) {
 
     ui::FrameWish wish;
     wish.redraw_after_s = requests.empty() ? station_.next_change_s(input.ui.time_s) : 0.0;
-    if (parts_.wants_another_frame()) wish.redraw_after_s = 0.0;
+    if (parts_.wants_another_frame() || photograph) wish.redraw_after_s = 0.0;
     if (player_ && player_->ended() && options_.script.empty()) player_.reset();
     if (player_) {
         if (const auto file = player_->picture_wanted()) take_picture(*file);
@@ -76,6 +85,10 @@ void FrameLoop::prepare_for(const ui::Request& request) {
             typed.wish.object = show->object;
             if (show->object) typed.gripper = station_.gripper_to_hold_with().string();
         }
+    } else if (std::holds_alternative<ui::request::KeepRegion>(request)) {
+        ui::TypedSession& typed = screen_.new_session.typed;  // a session with it comes next
+        typed.simulated = false;
+        typed.cell_file = station_.snapshot().cell.file.string();
     } else if (std::holds_alternative<ui::request::Quit>(request)) {
         screen_.close.quits = true;
     } else if (std::holds_alternative<ui::request::CloseSession>(request) ||
@@ -97,17 +110,21 @@ void FrameLoop::take_window_wish(const WindowWish& wish) {
     if (wish.clipboard) window_.copy_to_clipboard(*wish.clipboard);
     if (wish.reset_layout) screen_.splits = {};
     if (wish.quit) screen_.quit = true;
-    if (!wish.screenshot) return;
+    if (wish.view_picture) view_picture_ = true;
+    if (wish.screenshot) take_picture(picture_file(""));
+}
+
+std::filesystem::path FrameLoop::picture_file(const std::string& ending) const {
     const auto shown = station_.snapshot();
     const auto folder =
         shown.session ? shown.session->folder.parent_path() : std::filesystem::current_path();
-    const std::string name = shown.session ? shown.session->name : "gripscan";
+    const std::string name = (shown.session ? shown.session->name : "gripscan") + ending;
     std::filesystem::path file = folder / (name + ".png");
     std::error_code code;
     for (int n = 2; std::filesystem::exists(file, code); ++n) {
         file = folder / fmt::format("{}-{}.png", name, n);
     }
-    take_picture(file);
+    return file;
 }
 
 void FrameLoop::apply_preferences() {
@@ -120,15 +137,19 @@ void FrameLoop::apply_preferences() {
     applied_ = wanted;
 }
 
-void FrameLoop::take_picture(const std::filesystem::path& file) {
+void FrameLoop::take_picture(const std::filesystem::path& file,
+                             const std::optional<ui::Rect>& part) {
     // Taken in this frame, after it was drawn.
-    window_.capture_next([this, file](int width_px, int height_px, std::vector<std::uint8_t> rgba) {
-        if (Status s = save_png(file, width_px, height_px, rgba); !s) {
+    window_.capture_next([this, file, part](int width_px, int height_px,
+                                            std::vector<std::uint8_t> rgba) {
+        ui::Rect kept = part.value_or(ui::Rect{0, 0, width_px, height_px});
+        rgba = ui::cropped_rgba(rgba, width_px, height_px, kept);
+        if (Status s = save_png(file, kept.width, kept.height, rgba); !s) {
             picture_trouble_ = s.error().message;
             station_.toast(ui::LogLevel::kError, "toast.picture", "No picture", s.error().message);
             return;
         }
-        if (options_.script.empty()) {
+        if (options_.script.empty() || part) {
             station_.toast(ui::LogLevel::kInformation, "toast.picture", "Picture written",
                            file.string());
         }

@@ -34,7 +34,11 @@ class FrameLoop {
     void prepare_for(const ui::Request& request);
     void take_window_wish(const WindowWish& wish);
     void apply_preferences();
-    void take_picture(const std::filesystem::path& file);
+    /// Of this frame; the whole window, or a part of it.
+    void take_picture(const std::filesystem::path& file,
+                      const std::optional<ui::Rect>& part = std::nullopt);
+    /// Beside the session, under its name; nothing that is there is overwritten.
+    [[nodiscard]] std::filesystem::path picture_file(const std::string& ending) const;
 
     ui::AppWindow& window_;
     Workstation& station_;
@@ -45,6 +49,7 @@ class FrameLoop {
     ui::ScreenState screen_;
     ui::ScreenParts parts_;
     ui::WindowPreferences applied_;
+    bool view_picture_ = false;  ///< the 3D view is to be photographed once it is drawn whole
     std::size_t frames_ = 0;
     std::optional<std::string> picture_trouble_;
 };

@@ -69,7 +69,8 @@ std::optional<JobList::Shown> JobList::shown() const {
     for (const auto& job : jobs_) {
         if (job->unwanted) continue;
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - job->begun;
-        return Shown{job->name, job->part, elapsed.count()};
+        return Shown{job->name, job->part, elapsed.count(),
+                     job->thread.get_stop_token().stop_requested()};
     }
     return std::nullopt;
 }

@@ -42,6 +42,7 @@ class JobList {
         std::string name;
         double part = -1.0;  ///< 0 … 1; −1: unknown
         double elapsed_s = 0.0;
+        bool stopping = false;  ///< it was cancelled and has not ended yet
     };
     /// The oldest that is running; nothing: none.
     [[nodiscard]] std::optional<Shown> shown() const;

@@ -48,6 +48,8 @@ struct Workstation::Taker {
     void operator()(const ui::request::SelectStep& r) const { self.selected_row_ = r.row; }
     void operator()(const ui::request::Export& r) const { self.export_as(r.wish); }
     void operator()(const ui::request::SetPlan& r) const { self.give(command::SetPlan{r.plan}); }
+    void operator()(const ui::request::SetRegion& r) const { self.wished_region_ = r.region; }
+    void operator()(const ui::request::KeepRegion&) const { self.keep_region(); }
     void operator()(const ui::request::SetFilter& r) const {
         self.filter_ = r.filter;
         self.refresh_filter();
@@ -63,7 +65,9 @@ struct Workstation::Taker {
     }
     void operator()(const ui::request::SaveTable&) const { write_report(false); }
     void operator()(const ui::request::SaveReport&) const { write_report(true); }
-    void operator()(const ui::request::Screenshot&) const { self.wish_.screenshot = true; }
+    void operator()(const ui::request::Screenshot& r) const {
+        (r.view_only ? self.wish_.view_picture : self.wish_.screenshot) = true;
+    }
     void operator()(const ui::request::SetTheme& r) const {
         change([&](auto& p) { p.theme = r.theme; });
     }

@@ -5,6 +5,8 @@
 #include "app/results_of.h"
 #include "app/workstation/export_template.h"
 #include "app/workstation/hold_to_move.h"
+#include "app/workstation/region_in_cell_file.h"
+#include "app/workstation/stoppable_loop.h"
 #include "core/base/atomic_file.h"
 #include "core/report/results_folder.h"
 #include "core/sim/sim_cell.h"
@@ -150,11 +152,13 @@ ui::Snapshot Workstation::snapshot() const {
     if (const auto* recorded = std::get_if<std::unique_ptr<RecordedTurn>>(&turn_)) {
         (*recorded)->show_in(shown);
     }
+    shown.cell.wished_region = wished_region_;
     shown.residuals_wanted = residuals_.wanted();
     residuals_.attach(shown.captures);
     desk_.show_in(shown);
     if (const auto job = jobs_.shown()) {
-        shown.job = ui::ShownJob{job->name, job->part, job->elapsed_s, true};
+        shown.job = ui::ShownJob{job->stopping ? job->name + ", stopping" : job->name, job->part,
+                                 job->elapsed_s, !job->stopping};
     }
     const std::size_t rows = shown.procedure != nullptr ? table_of(*shown.procedure).size() : 0;
     shown.follows_last = !selected_row_ || *selected_row_ >= rows;
@@ -200,6 +204,7 @@ void Workstation::close_turn() {
     shown_template_ = {};
     filtered_turn_.reset();
     last_export_.clear();
+    wished_region_.reset();
     page_ = ui::Page::kStart;
     if (!folder.empty()) refresh_recent();
 }
@@ -359,16 +364,31 @@ void Workstation::refresh_filter() {
     if (!turn || done || jobs_.running("Filtering the template")) return;
     jobs_.start("Filtering the template",
                 [this, turn, filter = filter_,
-                 threads = settings_.threads](const Progress&) -> JobList::Outcome {
+                 threads = settings_.threads](const Progress& progress) -> JobList::Outcome {
                     WorkerPool pool(threads);
                     auto made = std::make_shared<ui::ShownTemplate>(
-                        shown_template(turn, filter, pool.for_each()));
+                        shown_template(turn, filter, stoppable(pool.for_each(), progress.stop)));
+                    if (progress.cancelled()) return [this, turn] { filter_cancelled(turn); };
                     return [this, turn, made] {
                         shown_template_ = *made;
                         filtered_turn_ = turn;
                         refresh_filter();
                     };
                 });
+}
+
+/// The filter before stands; where there is none, a change of the filter begins again.
+void Workstation::filter_cancelled(const std::shared_ptr<const ComputedTurn>& turn) {
+    if (filtered_turn_ == turn) {
+        filter_ = shown_template_.filter;
+    } else {
+        shown_template_ = {};
+        shown_template_.filter = filter_;
+        filtered_turn_ = turn;
+    }
+    toast(
+        LogLevel::kInformation, "toast.cancelled", "Filtering cancelled",
+        shown_template_.whole ? "The filter before stands." : "Change the filter to begin again.");
 }
 
 void Workstation::recognise(std::optional<int> capture) {
@@ -415,6 +435,20 @@ void Workstation::learn_environment() {
     });
 }
 
+void Workstation::keep_region() {
+    const fs::path file = snapshot().cell.file;
+    if (!wished_region_ || file.empty()) return;
+    if (Status kept = app::keep_region(file, *wished_region_); !kept) {
+        fail("The registration area was not kept", kept.error(), "");
+        return;
+    }
+    log(LogLevel::kInformation, "CEL-020",
+        fmt::format("The registration area is kept in {}", file.string()));
+    toast(LogLevel::kInformation, "toast.region", "Kept in " + file.filename().string(),
+          "It holds for every session that begins from now on.");
+    dialog_ = ui::Dialog::kNewSession;
+}
+
 void Workstation::add_to_library() {
     const ui::Snapshot shown = snapshot();
     if (!shown.session || shown.procedure == nullptr) return;
@@ -450,11 +484,16 @@ void Workstation::export_as(const ui::ExportWish& wish) {
     jobs_.start(
         "Export",
         [this, turn, wish, session,
-         threads = settings_.threads](const Progress&) -> JobList::Outcome {
+         threads = settings_.threads](const Progress& progress) -> JobList::Outcome {
             WorkerPool pool(threads);
             auto exported = std::make_shared<Result<Exported>>(
-                export_template(turn->report, wish, pool.for_each()));
+                export_template(turn->report, wish, progress, pool.for_each()));
             return [this, exported, session] {
+                if (!*exported && exported->error().kind == ErrorKind::kCancelled) {
+                    toast(LogLevel::kInformation, "toast.cancelled", "Export cancelled",
+                          "Nothing was written.");
+                    return;
+                }
                 if (!*exported) {
                     fail("The template was not exported", exported->error(), "");
                     return;

@@ -36,7 +36,8 @@ struct WorkstationSettings {
 struct WindowWish {
     bool quit = false;
     std::optional<std::string> clipboard;
-    bool screenshot = false;
+    bool screenshot = false;    ///< of the whole window
+    bool view_picture = false;  ///< of the 3D view alone
     bool reset_layout = false;
 };
 
@@ -85,9 +86,11 @@ class Workstation {
     [[nodiscard]] Status note(const std::filesystem::path& session, std::string_view event,
                               const JournalFields& fields);
     void refresh_filter();
+    void filter_cancelled(const std::shared_ptr<const ComputedTurn>& turn);
     void recognise(std::optional<int> capture);
     void add_to_library();
     void learn_environment();
+    void keep_region();
     void refresh_recent();
     void set_preferences(const ui::WindowPreferences& changed);
     void write_file(const std::string& name, const std::function<std::string()>& text);
@@ -117,6 +120,7 @@ class Workstation {
     RecognitionDesk desk_;
     EnvironmentDesk environment_;
     std::string last_export_;
+    std::optional<Box> wished_region_;  ///< of the next session; nothing: as the cell's is
     WindowWish wish_;
     bool held_ = false;  ///< `Hold to move`
     double now_s_ = 0.0;

@@ -131,11 +131,13 @@ void states(const Page& page) {
         x += 138;
     }
     x = 812;
-    for (const RobotMode mode : {RobotMode::kSim, RobotMode::kDry, RobotMode::kLive}) {
+    for (const RobotMode mode :
+         {RobotMode::kSim, RobotMode::kDry, RobotMode::kLive, RobotMode::kManual}) {
         const Rect at = page.rect(x, 298, 0, 0);
-        draw_mode_chip(ui, at.x, static_cast<float>(at.y), mode);
-        page.words(x + 76, 298, FontRole::kTable, ui.theme.text_second, sentence(mode));
-        x += 276;
+        const int end = draw_mode_chip(ui, at.x, static_cast<float>(at.y), mode);
+        draw_text(ui, static_cast<float>(end) + ui.scale.em(0.43F), static_cast<float>(at.y),
+                  FontRole::kSmall, ui.theme.text_second, sentence(mode));
+        x += mode == RobotMode::kSim ? 236 : mode == RobotMode::kLive ? 140 : 196;
     }
 }
 

@@ -6,11 +6,11 @@
 
 #include "core/base/units.h"
 #include "ui/panels/action_button.h"
+#include "ui/panels/mode_of.h"
 #include "ui/panels/panel_parts.h"
+#include "ui/panels/plan_field.h"
+#include "ui/panels/region_editor.h"
 #include "ui/views/cell_view.h"
-#include "ui/widgets/mode_chip.h"
-#include "ui/widgets/notices.h"
-#include "ui/widgets/number_input.h"
 #include "ui/widgets/rich_text.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/state_shape.h"
@@ -45,16 +45,7 @@ void draw_mode(Column& c, const TurnPlan& plan) {
     const Ui& ui = c.ui;
     const Rect row = c.row(2.0F);
     const float y = middle_of(row);
-    if (plan.mode == MotionMode::kManual) {
-        const float x = draw_text(ui, static_cast<float>(row.x), y, FontRole::kTableStrong,
-                                  ui.theme.check, "BY HAND");
-        draw_text(ui, x + ui.scale.em(0.71F), y, FontRole::kTable, ui.theme.text_second,
-                  "the operator turns joint 6");
-        return;
-    }
-    const RobotMode mode = plan.mode == MotionMode::kLive  ? RobotMode::kLive
-                           : plan.mode == MotionMode::kDry ? RobotMode::kDry
-                                                           : RobotMode::kSim;
+    const RobotMode mode = mode_of(plan.mode);
     const int end = draw_mode_chip(ui, row.x, y, mode);
     draw_text(ui, static_cast<float>(end) + ui.scale.em(0.71F), y, FontRole::kTable,
               ui.theme.text_second, sentence(mode));
@@ -126,11 +117,6 @@ void draw_camera(Column& c) {
     c.value("Baseline", shown_number(cell.rig->baseline_m * kMmPerM, 2), "mm");
     c.value("Focal length", shown_number(cell.rig->f_px, 1), "px");
     c.value("Image", fmt::format("{} × {}", cell.rig->image.width, cell.rig->image.height), "px");
-    if (cell.region) {
-        const Eigen::Vector3d size = (cell.region->max_m - cell.region->min_m) * kMmPerM;
-        c.value("Registration area",
-                fmt::format("{:.0f} × {:.0f} × {:.0f}", size.x(), size.y(), size.z()), "mm");
-    }
     c.value("Aligned to the robot", cell.T_robot_camera ? "yes" : "no");
 }
 
@@ -151,39 +137,6 @@ void draw_environment(Column& c) {
     action_button(ui, c.row(2.14F), action("environment.learn"), c.snapshot, {}, c.out);
 }
 
-void draw_field(Column& c, const TurnPlan& plan, std::size_t index, const PlanField& field,
-                const std::string& why) {
-    const Ui& ui = c.ui;
-    const Rect row = c.row(2.0F);
-    const float y = middle_of(row);
-    draw_text(ui, static_cast<float>(row.x), y, FontRole::kTable, ui.theme.text_second,
-              field.label);
-    const int width = ui.em(6.0F);
-    const int right = ui.em(6.2F);
-    const Rect at{row.right() - right - width, row.y + ui.em(0.07F), width, ui.em(1.86F)};
-    const auto event = number_input(ui, at,
-                                    {.id = field.id,
-                                     .label = field.label,
-                                     .value = field.value,
-                                     .unit = field.unit,
-                                     .decimals = field.decimals,
-                                     .min = field.min,
-                                     .max = field.max,
-                                     .why_disabled = why});
-    std::optional<double> wanted = event.committed;
-    const std::string standard = shown_number(field.standard, field.decimals);
-    if (field.changed() && why.empty()) {
-        if (link(ui, {at.right() + ui.em(0.43F), row.y, right - ui.em(0.43F), row.height},
-                 std::string(field.id) + ".reset", "reset " + standard)) {
-            wanted = field.standard;
-        }
-    } else {
-        draw_text(ui, static_cast<float>(row.right()), y, FontRole::kSmall, ui.theme.text_third,
-                  "default " + standard, Align::kRight);
-    }
-    if (wanted) c.out.push_back(request::SetPlan{with_plan_field(plan, index, *wanted)});
-}
-
 void draw_limits(Column& c) {
     const Ui& ui = c.ui;
     draw_section(ui, c.x, c.y, "Limits, step and speed");
@@ -195,10 +148,9 @@ void draw_limits(Column& c) {
         c.y += ui.em(0.29F);
     }
     const TurnPlan plan = c.snapshot.procedure != nullptr ? c.snapshot.procedure->plan : TurnPlan{};
-    const auto fields = plan_fields(plan);
     const std::string why_speed = why_speed_is_fixed(c.snapshot);
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        draw_field(c, plan, i, fields[i], i == kSpeedField ? why_speed : why);
+    for (std::size_t i = 0; i < kPlanFields; ++i) {
+        draw_plan_field(ui, c.row(2.0F), plan, i, i == kSpeedField ? why_speed : why, c.out);
     }
 }
 
@@ -217,6 +169,8 @@ void draw_cell_column(const Ui& ui, const Rect& column, const Snapshot& snapshot
     draw_robot(c);
     c.separate();
     draw_camera(c);
+    c.separate();
+    c.y += draw_region_editor(ui, c.x, c.y, c.width, snapshot, out);
     c.separate();
     draw_environment(c);
     c.separate();

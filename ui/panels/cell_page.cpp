@@ -45,7 +45,7 @@ std::vector<TableRow> rows_of(const CellReport& report) {
         row.cells = {{item.name, Tone::kStrong},
                      outcome,
                      {check_number(item, item.value), tone_of(item.outcome)},
-                     {check_number(item, item.limit), Tone::kThird},
+                     {limit_text(item), Tone::kThird},
                      {item.unit, Tone::kThird},
                      {item.sentence, Tone::kSecond}};
         if (item.outcome == CheckOutcome::kFailed) row.tint = State::kReject;

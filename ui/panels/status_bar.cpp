@@ -2,30 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "ui/panels/mode_of.h"
 #include "ui/widgets/draw.h"
-#include "ui/widgets/mode_chip.h"
 #include "ui/widgets/notices.h"
 #include "ui/widgets/state_shape.h"
 
 namespace gripscan::ui {
 namespace {
 
-RobotMode mode_of(MotionMode mode) {
-    switch (mode) {
-        case MotionMode::kSim:
-            return RobotMode::kSim;
-        case MotionMode::kLive:
-            return RobotMode::kLive;
-        case MotionMode::kDry:
-        case MotionMode::kManual:
-            break;
-    }
-    return RobotMode::kDry;
-}
-
 std::string_view sentence_of(const Snapshot& snapshot) {
     if (snapshot.session->recorded) return "recording, nothing moves";
-    if (snapshot.procedure->plan.mode == MotionMode::kManual) return "the operator turns the joint";
     return sentence(mode_of(snapshot.procedure->plan.mode));
 }
 

@@ -12,6 +12,7 @@
 #include "ui/render/primitives.h"
 #include "ui/render/silhouette.h"
 #include "ui/theme/shown_number.h"
+#include "ui/views/cell_view.h"
 #include "ui/views/recognition_text.h"
 
 namespace gripscan::ui {
@@ -67,7 +68,10 @@ void add_region(const LineInput& input, SceneLines& out) {
                           0.0});
 }
 
-void add_crop(const LineInput& input, SceneLines& out) {
+/// Its lines, and its sizes beside them.
+void add_edited_box(const LineInput& input, SceneLines& out) {
+    const bool region = input.parts.kind == SceneKind::kEmpty;
+    if (region && !input.edits_region && !input.snapshot.cell.wished_region) return;
     const auto box = editable_box(input.snapshot, input.parts, input.around);
     if (!box) return;
     add_box(out.lines, *box, Pose::Identity(),
@@ -189,6 +193,10 @@ void add_found(const LineInput& input, SceneLines& out) {
 
 std::optional<Box> editable_box(const Snapshot& snapshot, const SceneParts& parts,
                                 const Box& around) {
+    const bool other_page = snapshot.page == Page::kRecognise || snapshot.page == Page::kTemplate;
+    if (parts.kind == SceneKind::kEmpty && !other_page && why_region_is_fixed(snapshot).empty()) {
+        return edited_region(snapshot.cell);
+    }
     if (parts.kind != SceneKind::kTemplate) return std::nullopt;
     if (snapshot.filter.crop) return snapshot.filter.crop;
     return around.valid() ? std::optional(around) : std::nullopt;
@@ -206,7 +214,7 @@ SceneLines scene_lines(const LineInput& input) {
         add_arm(input, out.lines);
         add_ghost(input, out.lines);
     }
-    add_crop(input, out);
+    add_edited_box(input, out);
     add_found(input, out);
     add_split(input, out);
     if (input.pivot_m) {

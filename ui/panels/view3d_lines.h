@@ -34,13 +34,14 @@ struct LineInput {
     Viewport viewport;
     Box around;                              ///< the visible clouds; not valid where there are none
     double px = 1.0;                         ///< of one px at 100 %
-    bool show_cell = true;                   ///< else only what is worked with: the crop cuboid
+    bool show_cell = true;                   ///< else only what is worked with: the cuboid
+    bool edits_region = false;               ///< the registration area is the cuboid
     std::optional<Eigen::Vector3d> pivot_m;  ///< shown as a cross
 };
 [[nodiscard]] SceneLines scene_lines(const LineInput& input);
 
-/// The cuboid that can be dragged: the crop of the template, all of it where none is set; nothing
-/// on the other pages.
+/// The cuboid that can be dragged: of a template its crop, all of it where none is set; before a
+/// turn the registration area of the next session; else nothing.
 [[nodiscard]] std::optional<Box> editable_box(const Snapshot& snapshot, const SceneParts& parts,
                                               const Box& around);
 

@@ -30,6 +30,13 @@ Rect half_of(const Ui& ui, const Rect& rect, int which) {
                       : Rect{rect.x + left + gap, rect.y, rect.width - left - gap, rect.height};
 }
 
+/// The cuboid while its handles are shown.
+std::optional<Box> box_with_handles(const Snapshot& snapshot, const SceneParts& parts,
+                                    const Box& around, const View3dState& local) {
+    const bool shown = parts.kind == SceneKind::kEmpty ? local.edit_region : local.edit_box;
+    return shown ? editable_box(snapshot, parts, around) : std::nullopt;
+}
+
 void draw_texture(const Rect& rect, unsigned int texture) {
     // The first row of the texture is at the bottom.
     ImGui::GetWindowDrawList()->AddImage(
@@ -107,13 +114,14 @@ void View3d::take_input(const Ui& ui, const Rect& rect, const Snapshot& snapshot
     const auto pick = [&](const Eigen::Vector2d& px) {
         return pick_in(pane->chunks, local.camera, viewport_of(pane->rect), px, ui.scale);
     };
-    const auto box =
-        local.edit_box ? editable_box(snapshot, parts.scene, parts.bounds) : std::nullopt;
+    const auto box = box_with_handles(snapshot, parts.scene, parts.bounds, local);
     const auto result = take_mouse(mouse,
                                    {target_rect, snapshot.preferences.navigation, box,
                                     static_cast<double>(ui.scale.px(7.0F)), pick},
                                    local);
-    if (result.box) {
+    if (result.box && parts.scene.kind == SceneKind::kEmpty) {
+        out.emplace_back(request::SetRegion{result.box});
+    } else if (result.box) {
         TemplateFilter filter = snapshot.filter;
         filter.crop = result.box;
         out.emplace_back(request::SetFilter{filter});
@@ -139,10 +147,10 @@ void View3d::draw_scene(const Ui& ui, const Snapshot& snapshot, View3dState& loc
     parts.animates = ui.time_s < local.pivot_shown_until_s;
     for (std::size_t i = 0; i < parts.panes_shown; ++i) {
         Parts::Pane& pane = parts.panes[i];
-        const SceneLines lines =
-            scene_lines({snapshot, parts.scene, ui.theme, local.camera, viewport_of(pane.rect),
-                         parts.bounds, static_cast<double>(ui.scale.factor()), local.show_cell,
-                         pivot ? std::optional(local.camera.pivot_m) : std::nullopt});
+        const SceneLines lines = scene_lines(
+            {snapshot, parts.scene, ui.theme, local.camera, viewport_of(pane.rect), parts.bounds,
+             static_cast<double>(ui.scale.factor()), local.show_cell, local.edit_region,
+             pivot ? std::optional(local.camera.pivot_m) : std::nullopt});
         const auto drawn = pane.view->draw({pane.chunks, &lines.lines, local.camera,
                                             view_settings(by, range, snapshot, parts.scene, local)},
                                            pane.rect.width, pane.rect.height, ui.theme, ui.scale,
@@ -154,8 +162,8 @@ void View3d::draw_scene(const Ui& ui, const Snapshot& snapshot, View3dState& loc
             {static_cast<float>(pane.rect.x), static_cast<float>(pane.rect.y)},
             {static_cast<float>(pane.rect.right()), static_cast<float>(pane.rect.bottom())}, true);
         draw_labels(ui, pane.rect, local.camera, lines.labels);
-        const auto box = editable_box(snapshot, parts.scene, parts.bounds);
-        if (box && local.edit_box && !local.photograph) {
+        const auto box = box_with_handles(snapshot, parts.scene, parts.bounds, local);
+        if (box && !local.photograph) {
             draw_handles(ui, pane.rect, *box, local.camera,
                          local.drag.what == ViewDrag::What::kFace
                              ? std::optional(local.drag.face.face)
@@ -187,7 +195,8 @@ void View3d::draw_overlays(const Ui& ui, const Rect& rect, const Snapshot& snaps
     if (const auto command = draw_view3d_tools(ui, rect, snapshot, parts.scene, local, out)) {
         obey(*command, snapshot, local);
     }
-    if (parts.scene.kind == SceneKind::kEmpty) {
+    const bool edits = box_with_handles(snapshot, parts.scene, parts.bounds, local).has_value();
+    if (parts.scene.kind == SceneKind::kEmpty && !edits) {
         const EmptyText text = empty_scene_text(snapshot);
         draw_message(ui, rect, text.title, text.what_to_do);
     }

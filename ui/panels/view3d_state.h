@@ -33,8 +33,9 @@ struct View3dState {
     float point_size_px = 2.0F;
     bool eye_dome = true;
     bool side_by_side = false;
-    bool edit_box = true;   ///< handles of the crop cuboid
-    bool show_cell = true;  ///< axis, areas, arm, camera
+    bool edit_box = true;      ///< handles of the crop cuboid
+    bool edit_region = false;  ///< handles of the registration area
+    bool show_cell = true;     ///< axis, areas, arm, camera
     Measuring measuring;
     bool photograph = false;  ///< without tools, with a caption: the frame that is captured
 

@@ -7,6 +7,7 @@
 
 #include "ui/panels/colour_menu.h"
 #include "ui/theme/shown_number.h"
+#include "ui/views/cell_view.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/draw.h"
 #include "ui/widgets/number_input.h"
@@ -74,6 +75,14 @@ void draw_size(const Ui& ui, ToolCard& card, View3dState& state, bool labels) {
     if (button(ui, card.next(1.57F), more)) step(1.0);
 }
 
+std::string why_no_region_box(const SceneParts& parts, const Snapshot& snapshot) {
+    const std::string fixed = why_region_is_fixed(snapshot);
+    if (!fixed.empty()) return fixed;
+    const bool there = parts.kind == SceneKind::kEmpty && snapshot.page != Page::kRecognise &&
+                       snapshot.page != Page::kTemplate;
+    return there ? "" : "The registration area is edited on the Procedure page.";
+}
+
 bool tool(const Ui& ui, ToolCard& card, std::string_view id, Icon icon, std::string_view tooltip,
           bool on, std::string_view why_disabled = {}) {
     ButtonSpec spec{id, {}, icon};
@@ -98,13 +107,14 @@ void draw_left(const Ui& ui, const Rect& rect, const SceneParts& parts, const Sn
              state.measuring.on, no_cloud)) {
         state.measuring = {!state.measuring.on, {}};
     }
-    if (tool(ui, card, "view3d.crop", Icon::kCrop, "Handles of the crop cuboid",
-             state.edit_box && parts.kind == SceneKind::kTemplate,
-             parts.kind == SceneKind::kTemplate
-                 ? ""
-                 : "the registration area belongs to the cell and is only shown; the template has "
-                   "a cuboid of its own")) {
-        state.edit_box = !state.edit_box;
+    const bool crops = parts.kind == SceneKind::kTemplate;
+    bool& handles = crops ? state.edit_box : state.edit_region;
+    const std::string no_box = crops ? std::string() : why_no_region_box(parts, snapshot);
+    if (tool(ui, card, "view3d.crop", Icon::kCrop,
+             crops ? "Handles of the crop cuboid"
+                   : "Handles of the registration area; the Cell page keeps what is changed",
+             handles && no_box.empty(), no_box)) {
+        handles = !handles;
     }
     if (tool(ui, card, "view3d.eye_dome", Icon::kLightbulb, "Eye-dome lighting: edges stand out",
              state.eye_dome)) {
@@ -150,7 +160,7 @@ std::optional<ViewCommand> draw_right(const Ui& ui, const Rect& rect, const Snap
     }
     if (tool(ui, card, "view3d.screenshot", Icon::kCamera, "Picture of the view with a scale bar",
              false)) {
-        out.emplace_back(request::Screenshot{});
+        out.emplace_back(request::Screenshot{true});
     }
     return command;
 }

@@ -32,6 +32,29 @@ std::string_view word_of(const CheckSummary& summary) {
     return word(summary.outcome);
 }
 
+/// Whether the value of a row has to stay below its limit; by the table in cell_limits.h.
+std::optional<bool> is_at_most(const CellCheckItem& item) {
+    struct Row {
+        std::string_view name;
+        std::string_view unit;
+        bool at_most;
+    };
+    static constexpr std::array<Row, 20> kRows{
+        {{"link", "ms", true},   {"link", "answers", false}, {"controller", "", true},
+         {"joints", "", false},  {"range", "", false},       {"cable", "", true},
+         {"return", "", false},  {"volume", "", false},      {"depth", "", true},
+         {"exposure", "", true}, {"brightness", "", false},  {"texture", "", false},
+         {"fill", "", false},    {"surface", "", false},     {"alone", "", true},
+         {"joint", "mm", false}, {"joint", "mm²", true},     {"sweep", "", false},
+         {"disk", "", false},    {"duration", "", true}}};
+    for (const Row& row : kRows) {
+        if (row.name == item.name && (row.unit.empty() || row.unit == item.unit)) {
+            return row.at_most;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::array<PlanField, kPlanFields> plan_fields(const TurnPlan& plan) {
@@ -101,6 +124,52 @@ std::string why_plan_is_fixed(const Snapshot& snapshot) {
     return why_speed_is_fixed(snapshot);
 }
 
+std::string why_region_is_fixed(const Snapshot& snapshot) {
+    if (!snapshot.session || snapshot.procedure == nullptr) return "No session is open.";
+    if (snapshot.session->recorded) return "A recording keeps the area it was taken in.";
+    if (snapshot.cell.file.empty()) {
+        return "The simulated cell brings its own area; that of a cell file can be edited.";
+    }
+    if (!snapshot.procedure->data.captures.empty()) {
+        return "The first view is taken: every view of a turn shows the same area.";
+    }
+    if (!snapshot.cell.region) return "The cell file names no area to begin with.";
+    return why_speed_is_fixed(snapshot);
+}
+
+std::optional<Box> edited_region(const CellFrame& cell) {
+    return cell.wished_region ? cell.wished_region : cell.region;
+}
+
+Box with_region_end(Box region, int axis, bool upper, double value_m) {
+    constexpr double kThinnest_m = 0.01;
+    if (upper) {
+        region.max_m[axis] = value_m;
+        region.min_m[axis] = std::min(region.min_m[axis], value_m - kThinnest_m);
+    } else {
+        region.min_m[axis] = value_m;
+        region.max_m[axis] = std::max(region.max_m[axis], value_m + kThinnest_m);
+    }
+    return region;
+}
+
+std::span<const std::size_t> limit_fields(std::string_view evidence) {
+    static constexpr std::array<std::size_t, 2> kAngle{0, 1};
+    static constexpr std::array<std::size_t, 1> kOverlap{2};
+    static constexpr std::array<std::size_t, 1> kSlip{3};
+    static constexpr std::array<std::size_t, 1> kTilt{4};
+    if (evidence == "evidence.angle_error") return kAngle;
+    if (evidence == "evidence.overlap") return kOverlap;
+    if (evidence == "evidence.slip") return kSlip;
+    if (evidence == "evidence.axis_tilt") return kTilt;
+    return {};
+}
+
+std::string why_limit_is_fixed(const Snapshot& snapshot, std::string_view evidence) {
+    if (limit_fields(evidence).empty()) return "The plan does not set it.";
+    return why_plan_is_fixed(snapshot);
+}
+
 LinkText link_text(const ProcedureState* state) {
     if (state == nullptr) return {false, "no session", {}};
     if (const auto* off = std::get_if<phase::Offline>(&state->phase)) {
@@ -166,6 +235,13 @@ std::string check_number(const CellCheckItem& item, double number) {
     const int decimals = number == std::round(number) ? 0 : std::abs(number) >= 100 ? 0 : 2;
     std::string text = fmt::format("{:.{}f}", std::abs(number), decimals);
     return (number < 0 ? "−" : "") + text;
+}
+
+std::string limit_text(const CellCheckItem& item) {
+    const std::string limit = check_number(item, item.limit);
+    const auto at_most = is_at_most(item);
+    if (!at_most || limit == "–") return limit;
+    return (*at_most ? "≤ " : "≥ ") + limit;
 }
 
 }  // namespace gripscan::ui

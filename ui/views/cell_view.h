@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,17 @@ inline constexpr std::size_t kPlanFields = 7;
 [[nodiscard]] std::string why_speed_is_fixed(const Snapshot& snapshot);
 /// Its place among the fields of the plan.
 constexpr std::size_t kSpeedField = 6;
+/// The fields that make the limit of a line of evidence ("evidence.slip"); empty: no plan sets it.
+[[nodiscard]] std::span<const std::size_t> limit_fields(std::string_view evidence);
+/// Why that limit cannot be changed now; empty: it can.
+[[nodiscard]] std::string why_limit_is_fixed(const Snapshot& snapshot, std::string_view evidence);
+
+/// Why the registration area of the next session cannot be edited; empty: it can.
+[[nodiscard]] std::string why_region_is_fixed(const Snapshot& snapshot);
+/// The area as it is edited: as wished, else as it is.
+[[nodiscard]] std::optional<Box> edited_region(const CellFrame& cell);
+/// That area with one of its ends moved, m; ends never meet: the other one gives way.
+[[nodiscard]] Box with_region_end(Box region, int axis, bool upper, double value_m);
 
 /// "connected", "not connected", with the reason where there is one.
 struct LinkText {
@@ -59,5 +71,7 @@ struct CheckSummary {
 
 /// A value or limit of the check: whole where it is large.
 [[nodiscard]] std::string check_number(const CellCheckItem& item, double number);
+/// "≤ 500", "≥ 10": how the value has to lie to its limit.
+[[nodiscard]] std::string limit_text(const CellCheckItem& item);
 
 }  // namespace gripscan::ui

@@ -74,7 +74,7 @@ struct Forget {  ///< a line of the recent sessions; the folder stays
 struct Show {
     Dialog dialog = Dialog::kNone;  ///< none: close the one that is open
     bool cell_file = false;         ///< kNewSession: it begins with a cell file, not the simulation
-    bool object = false;            ///< kNewSession: of an object, held by the gripper of this session
+    bool object = false;  ///< kNewSession: of an object, held by the gripper of this session
 };
 struct SelectStep {
     std::optional<std::size_t> row;  ///< of Table 1; nothing: the last
@@ -85,14 +85,18 @@ struct Export {
 struct SetPlan {  ///< before the first view: limits, step and speed
     TurnPlan plan;
 };
-struct SetFilter {  ///< of the template
+struct SetRegion {  ///< the registration area of the next session; nothing: as it is
+    std::optional<Box> region;
+};
+struct KeepRegion {};  ///< that area into the cell file
+struct SetFilter {     ///< of the template
     TemplateFilter filter;
 };
 struct Recognise {  ///< what is in the library, in a view that is taken now or in a capture
     std::optional<int> capture;
 };
 struct LearnEnvironment {};  ///< what stands still, with the arm out of the picture
-struct LibraryAdd {};  ///< the template that is open
+struct LibraryAdd {};        ///< the template that is open
 struct LibraryRemove {
     std::string name;
 };
@@ -105,7 +109,9 @@ struct CopyText {
 };
 struct SaveTable {};   ///< as CSV, beside the results
 struct SaveReport {};  ///< the HTML page
-struct Screenshot {};
+struct Screenshot {
+    bool view_only = false;  ///< the 3D view without its tools, else the whole window
+};
 struct SetTheme {
     ThemeChoice theme = ThemeChoice::kDark;
 };
@@ -133,17 +139,15 @@ struct CloseToast {
 struct Quit {};
 }  // namespace request
 
-using Request =
-    std::variant<request::Give, request::HoldToMove, request::GoTo, request::Open, request::Resume,
-                 request::Begin, request::Tour, request::CloseSession, request::Forget,
-                 request::Show, request::SelectStep, request::Export, request::SetPlan,
-                 request::SetFilter, request::Recognise, request::LearnEnvironment,
-                 request::LibraryAdd,
-                 request::LibraryRemove, request::WantResiduals, request::CopyText, request::SaveTable, request::SaveReport,
-                 request::Screenshot, request::SetTheme, request::SetScale,
-                 request::SetLargeButtons, request::SetKey, request::SetNavigation,
-                 request::ResetLayout, request::LiveView, request::CancelJob, request::CloseToast,
-                 request::Quit>;
+using Request = std::variant<
+    request::Give, request::HoldToMove, request::GoTo, request::Open, request::Resume,
+    request::Begin, request::Tour, request::CloseSession, request::Forget, request::Show,
+    request::SelectStep, request::Export, request::SetPlan, request::SetRegion, request::KeepRegion,
+    request::SetFilter, request::Recognise, request::LearnEnvironment, request::LibraryAdd,
+    request::LibraryRemove, request::WantResiduals, request::CopyText, request::SaveTable,
+    request::SaveReport, request::Screenshot, request::SetTheme, request::SetScale,
+    request::SetLargeButtons, request::SetKey, request::SetNavigation, request::ResetLayout,
+    request::LiveView, request::CancelJob, request::CloseToast, request::Quit>;
 
 /// In the order in which they were asked.
 using Requests = std::vector<Request>;

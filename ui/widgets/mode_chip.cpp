@@ -7,13 +7,14 @@
 namespace gripscan::ui {
 
 std::string_view word(RobotMode mode) {
-    constexpr std::array<std::string_view, 3> kWords{"SIM", "DRY", "LIVE"};
+    constexpr std::array<std::string_view, 4> kWords{"SIM", "DRY", "LIVE", "MANUAL"};
     return kWords[static_cast<std::size_t>(mode)];
 }
 
 std::string_view sentence(RobotMode mode) {
-    constexpr std::array<std::string_view, 3> kSentences{"simulated cell, no robot moves",
-                                                         "robot linked, no motion", "robot moves"};
+    constexpr std::array<std::string_view, 4> kSentences{"simulated cell, no robot moves",
+                                                         "robot linked, no motion", "robot moves",
+                                                         "the operator turns joint 6"};
     return kSentences[static_cast<std::size_t>(mode)];
 }
 
@@ -32,6 +33,10 @@ int draw_mode_chip(const Ui& ui, int x, float y, RobotMode mode) {
         fill(chip, t.sim_bg, ui.scale.em(0.21F));
         dashed_outline(ui, chip, t.sim, 3.0F, 2.0F);
     } else if (mode == RobotMode::kDry) {
+        fill(chip, t.raised, ui.scale.em(0.21F));
+        outline(chip, t.text_second, ui.scale.line(), ui.scale.em(0.21F));
+    } else if (mode == RobotMode::kManual) {
+        icon = Icon::kStep;
         fill(chip, t.raised, ui.scale.em(0.21F));
         outline(chip, t.text_second, ui.scale.line(), ui.scale.em(0.21F));
     } else {

@@ -1,5 +1,5 @@
-// SIM, DRY or LIVE: what the robot may do, by word, border and colour. Always the first thing in
-// the status bar.
+// SIM, DRY, LIVE or MANUAL: what the robot may do, by word, border and colour. Always the first
+// thing in the status bar.
 #pragma once
 
 #include <string_view>
@@ -9,9 +9,10 @@
 namespace gripscan::ui {
 
 enum class RobotMode {
-    kSim,   ///< simulated cell, no robot moves
-    kDry,   ///< robot linked, no motion is sent
-    kLive,  ///< the robot moves
+    kSim,     ///< simulated cell, no robot moves
+    kDry,     ///< robot linked, no motion is sent
+    kLive,    ///< the robot moves
+    kManual,  ///< the operator moves it
 };
 
 [[nodiscard]] std::string_view word(RobotMode mode);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
+#include "core/procedure/cell_check.h"
 #include "core/sim/fault_plan.h"
 #include "tests/support/sample_pages.h"
 #include "tests/support/temporary_folder.h"
@@ -327,6 +328,93 @@ TEST(CellPage, LimitsAreEditedBeforeTheFirstViewOnly) {
     state.data.captures.resize(1);
     p.driver.frame();
     EXPECT_THAT(p.reason("plan.angle"), HasSubstr("first view is taken"));
+}
+
+/// A session of a cell file, before its first view.
+void open_cell_file(Snapshot& snapshot, const ProcedureState& state) {
+    snapshot.procedure = &state;
+    snapshot.session.emplace();
+    snapshot.cell.file = "/cells/cell.yaml";
+    snapshot.cell.rig.emplace();
+    snapshot.cell.region = Box{{-0.1, -0.1, 0.6}, {0.1, 0.1, 0.8}};
+}
+
+TEST(CellPage, TheRegistrationAreaIsEditedForTheNextSession) {
+    ProcedureState state = test::sample_cell_state(test::SampleCell::kPassed);
+    CellPanel p;
+    open_cell_file(p.snapshot, state);
+    ASSERT_TRUE(p.driver.click("region.x.to"));
+    p.driver.type("150");
+    p.driver.key(ImGuiKey_Enter);
+    const auto* set = p.last<request::SetRegion>();
+    ASSERT_NE(set, nullptr);
+    ASSERT_TRUE(set->region);
+    EXPECT_NEAR(set->region->max_m.x(), 0.150, 1e-12);
+    EXPECT_EQ(set->region->min_m, p.snapshot.cell.region->min_m);
+    EXPECT_EQ(p.reason("region.keep"), "Nothing was changed.");
+    p.snapshot.cell.wished_region = set->region;
+    ASSERT_TRUE(p.driver.click("region.keep"));
+    EXPECT_NE(p.last<request::KeepRegion>(), nullptr);
+    ASSERT_TRUE(p.driver.click("region.reset"));
+    ASSERT_NE(p.last<request::SetRegion>(), nullptr);
+    EXPECT_FALSE(p.last<request::SetRegion>()->region);
+}
+
+TEST(CellView, TheRegistrationAreaStaysWhereItIsNotForTheOperatorToChange) {
+    ProcedureState state = test::sample_cell_state(test::SampleCell::kPassed);
+    Snapshot snapshot;
+    open_cell_file(snapshot, state);
+    EXPECT_EQ(why_region_is_fixed(snapshot), "");
+    snapshot.session->recorded = true;
+    EXPECT_THAT(why_region_is_fixed(snapshot), HasSubstr("recording"));
+    snapshot.session->recorded = false;
+    state.data.captures.resize(1);
+    EXPECT_THAT(why_region_is_fixed(snapshot), HasSubstr("first view is taken"));
+    state.data.captures.clear();
+    snapshot.cell.file.clear();
+    EXPECT_THAT(why_region_is_fixed(snapshot), HasSubstr("simulated cell"));
+}
+
+TEST(CellView, EndsOfTheRegistrationAreaNeverMeet) {
+    const Box region{{0, 0, 0.5}, {0.1, 0.1, 0.7}};
+    for (const double value_m : {-0.5, 0.0, 0.05, 0.6, 2.0}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const bool upper : {false, true}) {
+                const Box changed = with_region_end(region, axis, upper, value_m);
+                EXPECT_TRUE(changed.valid());
+                EXPECT_EQ((upper ? changed.max_m : changed.min_m)[axis], value_m);
+            }
+        }
+    }
+}
+
+TEST(CellView, EveryLimitOfTheCheckSaysOnWhichSideOfItTheValueHasToLie) {
+    CellReport all = assess(CellFacts{}, TurnPlan{});
+    ASSERT_GT(all.items.size(), 15U);
+    for (CellCheckItem& item : all.items) {
+        item.outcome = CheckOutcome::kPassed;
+        item.limit = 40.0;
+        EXPECT_TRUE(limit_text(item) == "≤ 40" || limit_text(item) == "≥ 40") << item.name;
+    }
+    // As the check itself takes it: what passed lies on the right side, what failed does not.
+    for (const auto sample : {test::SampleCell::kPassed, test::SampleCell::kFailed}) {
+        const ProcedureState state = test::sample_cell_state(sample);
+        for (const CellCheckItem& item : state.cell->items) {
+            if (item.outcome == CheckOutcome::kSkipped) continue;
+            const bool at_most = limit_text(item).starts_with("≤");
+            const bool inside = at_most ? item.value <= item.limit : item.value >= item.limit;
+            if (item.outcome == CheckOutcome::kPassed) {
+                EXPECT_TRUE(inside) << item.name;
+            }
+            if (item.outcome == CheckOutcome::kFailed) {
+                EXPECT_FALSE(inside) << item.name;
+            }
+        }
+    }
+    CellCheckItem joint{"joint", CheckOutcome::kPassed, 80.0, 40.0, "mm", ""};
+    EXPECT_EQ(limit_text(joint), "≥ 40");
+    joint.unit = "mm²";
+    EXPECT_EQ(limit_text(joint), "≤ 40") << "without an alignment it is an area";
 }
 
 TEST(CellView, EveryFieldOfThePlanSetsItselfAlone) {

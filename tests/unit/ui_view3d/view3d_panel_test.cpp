@@ -208,8 +208,38 @@ TEST_F(View3dPanel, AHandleOfTheCuboidDragsItsFace) {
     expect_same(local_.camera, before);
 }
 
-TEST_F(View3dPanel, TheRegistrationAreaCannotBeDragged) {
+TEST_F(View3dPanel, BeforeTheFirstViewTheRegistrationAreaIsDraggedForTheNextSession) {
+    auto scene = test::growing_scene(2, 6000);
+    scene.snapshot.captures.clear();
+    *scene.state = ProcedureState{};
+    scene.snapshot.cell.file = "/cells/cell.yaml";
+    show(std::move(scene));
+    const Box region = *scene_.snapshot.cell.region;
+    ASSERT_TRUE(driver_->click("view3d.crop"));
+    ASSERT_TRUE(local_.edit_region);
+    const BoxHandle handle = box_handles(region, local_.camera, viewport_of(kRect)).back();
+    driver_->mouse(static_cast<float>(handle.at_px.x()), static_cast<float>(handle.at_px.y()));
+    driver_->press(ImGuiMouseButton_Left, true);
+    requests_.clear();
+    const Eigen::Vector2d to = handle.at_px + Eigen::Vector2d(25.0, -10.0);
+    driver_->mouse(static_cast<float>(to.x()), static_cast<float>(to.y()));
+    driver_->press(ImGuiMouseButton_Left, false);
+    EXPECT_TRUE(filters().empty()) << "it is no crop";
+    ASSERT_FALSE(requests_.empty());
+    const auto* set = std::get_if<request::SetRegion>(&requests_.back());
+    ASSERT_NE(set, nullptr);
+    ASSERT_TRUE(set->region);
+    const Box expected =
+        dragged_box({region, handle.face, handle.at_px}, to, local_.camera, viewport_of(kRect));
+    EXPECT_NEAR((set->region->min_m - expected.min_m).norm(), 0.0, 1e-3);
+    EXPECT_NEAR((set->region->max_m - expected.max_m).norm(), 0.0, 1e-3);
+    EXPECT_NE(*set->region, region);
+}
+
+TEST_F(View3dPanel, TheRegistrationAreaCannotBeDraggedOnceAViewIsTaken) {
     show(test::growing_scene(2, 6000));
+    scene_.snapshot.cell.file = "/cells/cell.yaml";
+    driver_->frame();
     const auto handles =
         box_handles(*scene_.snapshot.cell.region, local_.camera, viewport_of(kRect));
     driver_->mouse(static_cast<float>(handles.back().at_px.x()),
@@ -221,7 +251,7 @@ TEST_F(View3dPanel, TheRegistrationAreaCannotBeDragged) {
     const auto crop = driver_->log().find("view3d.crop");
     ASSERT_TRUE(crop);
     EXPECT_FALSE(crop->enabled);
-    EXPECT_NE(crop->reason.find("belongs to the cell"), std::string::npos);
+    EXPECT_NE(crop->reason.find("first view is taken"), std::string::npos);
 }
 
 TEST_F(View3dPanel, ToolsThatNeedCloudsSayWhyTheyAreOff) {
@@ -276,7 +306,9 @@ TEST_F(View3dPanel, SizeAndScreenshotAreButtons) {
     EXPECT_EQ(local_.point_size_px, 2.0F);
     ASSERT_TRUE(driver_->click("view3d.screenshot"));
     ASSERT_EQ(requests_.size(), 1U);
-    EXPECT_TRUE(std::holds_alternative<request::Screenshot>(requests_[0]));
+    const auto* picture = std::get_if<request::Screenshot>(&requests_[0]);
+    ASSERT_NE(picture, nullptr);
+    EXPECT_TRUE(picture->view_only);
 }
 
 TEST_F(View3dPanel, NeedsNoFrameOnceEveryPointIsDrawn) {
