@@ -85,10 +85,10 @@ void draw_colour_menu(const Ui& ui, const Rect& rect, const Snapshot& snapshot,
     if (attention.hovered) fill(rect, ui.theme.hover, ui.scale.em(0.29F));
     const float y = static_cast<float>(rect.y) + 0.5F * static_cast<float>(rect.height);
     const ColourBy shown = shown_colouring(parts, state);
-    const std::string_view name =
-        shown != ColourBy::kChunk             ? colouring(shown).name
-        : parts.kind == SceneKind::kFound ? std::string_view("Match")
-                                          : std::string_view("Two clouds");
+    const std::string_view name = shown != ColourBy::kChunk ? colouring(shown).name
+                                  : parts.kind == SceneKind::kFound
+                                      ? std::string_view("Match")
+                                      : std::string_view("Two clouds");
     const float chevron = ui.scale.em(1.43F);
     draw_text(ui, static_cast<float>(rect.x) + ui.scale.em(0.43F), y, FontRole::kTableStrong,
               ui.theme.text,

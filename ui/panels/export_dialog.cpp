@@ -128,7 +128,9 @@ void draw_summary(Form& form, const Snapshot& snapshot, const ExportDialogState&
         shown_count(static_cast<long long>(points)) + " points");
     row("Then", FontRole::kTable, "read back and compared; a sidecar beside it");
     row("Last export", FontRole::kTable,
-        snapshot.last_export.empty() ? "none yet" : snapshot.last_export);
+        snapshot.last_export.empty()
+            ? "none yet"
+            : fitted_middle(ui, FontRole::kTable, snapshot.last_export, right - value));
     form.y = box.bottom();
 }
 
@@ -157,8 +159,18 @@ void draw_export_dialog(const Ui& ui, const Rect& beside, const Snapshot& snapsh
                                        local.file);
     if (typed.changed) local.wish.file = expanded(local.file);
     form.y -= ui.em(0.36F);
-    form.words(problem.empty() ? "Nothing is overwritten." : problem,
-               problem.empty() ? ui.theme.text_third : ui.theme.reject, true);
+    if (problem.empty()) {
+        // The field shows where a long path begins; what the file is called stands at its end.
+        form.words("Nothing is overwritten:", ui.theme.text_third, true);
+        const int left = form.body.x + ui.em(form.label_em);
+        draw_text(ui, static_cast<float>(left), static_cast<float>(form.y) + ui.scale.em(0.64F),
+                  FontRole::kNumberSmall, ui.theme.text_second,
+                  fitted_middle(ui, FontRole::kNumberSmall, local.wish.file.string(),
+                                static_cast<float>(form.body.right() - left)));
+        form.y += ui.em(1.29F);
+    } else {
+        form.words(problem, ui.theme.reject, true);
+    }
     form.gap(0.57F);
     draw_summary(form, snapshot, local);
     frame.end_body(form.y);

@@ -173,7 +173,7 @@ void draw_new_session_dialog(const Ui& ui, const Rect& screen, const Snapshot& s
                              NewSessionState& local, Requests& out) {
     TypedSession& typed = local.typed;
     const float of_part = !typed.wish.object ? 2.6F : typed.simulated ? 7.8F : 5.2F;
-    const float body = of_part + (typed.simulated ? 24.9F : typed.wish.live ? 20.0F : 16.6F);
+    const float body = of_part + (typed.simulated ? 24.9F : typed.wish.live ? 21.1F : 16.6F);
     DialogFrame frame(ui, screen,
                       {.id = "dialog.new",
                        .title = "New session",

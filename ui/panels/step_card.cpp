@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/units.h"
 #include "ui/panels/action_button.h"
 #include "ui/panels/step_heading.h"
+#include "ui/views/cell_view.h"
 #include "ui/views/step_text.h"
 #include "ui/widgets/choice.h"
 #include "ui/widgets/draw.h"
 #include "ui/widgets/evidence_row.h"
+#include "ui/widgets/number_input.h"
 #include "ui/widgets/rich_text.h"
 #include "ui/widgets/tooltip.h"
 #include "ui/widgets/verdict_card.h"
@@ -22,6 +25,7 @@ namespace {
 constexpr float kGap = 0.57F;
 constexpr float kButton = 2.57F;
 constexpr float kNextButton = 3.43F;
+constexpr double kMostJoint6_deg = 720.0;
 constexpr double kHoldFill_s = 1.0;  ///< until the button looks full
 
 /// One frame of the card.
@@ -64,17 +68,41 @@ struct Card {
     void evidence(int y, int bottom) const {
         const auto rows = evidence_rows(snapshot);
         if (rows.empty()) return advice_in(y, bottom);
+        const EvidenceCaption caption = evidence_caption(snapshot);
         y += ui.em(0.36F);
         const int count = static_cast<int>(rows.size());
-        const int height = std::clamp((bottom - y) / count, ui.em(1.29F), ui.em(1.64F));
+        const int caption_height = caption.words.empty() ? 0 : ui.em(1.43F);
+        const int height =
+            std::clamp((bottom - y - caption_height) / count, ui.em(1.29F), ui.em(1.64F));
+        if (!caption.words.empty()) {
+            const Rect line{left, y, width, caption_height};
+            draw_text(ui, static_cast<float>(left), static_cast<float>(y) + ui.scale.em(0.71F),
+                      FontRole::kCaption, ui.theme.text_third, caption.words);
+            ui.log.record({"step.evidence_of", caption.words, line, true, {}});
+            y += caption_height;
+        }
         for (const EvidenceText& e : rows) {
             if (y + height > bottom) break;
-            (void)evidence_row(
-                ui, {left, y, width, height},
-                {e.id, e.label, e.value, e.unit, e.decimals, e.with_sign, e.limit, e.limit_decimals,
-                 e.at_least ? LimitKind::kAtLeast : LimitKind::kAtMost, e.state, e.meaning});
+            evidence_line({left, y, width, height}, e, caption.past);
             y += height;
         }
+        draw_limit_editor(ui, snapshot, local.limit, out);
+        if (!shown_step(snapshot)) advice_in(y, bottom);
+    }
+
+    void evidence_line(const Rect& row, const EvidenceText& e, bool past) const {
+        const std::string fixed = why_limit_is_fixed(snapshot, e.id);
+        std::string meaning(e.meaning);
+        if (fixed.empty()) {
+            meaning += " Click to change the limit.";
+        } else if (!limit_fields(e.id).empty()) {
+            meaning += " The limit stays: " + fixed;
+        }
+        const bool clicked = evidence_row(
+            ui, row,
+            {e.id, e.label, e.value, e.unit, e.decimals, e.with_sign, e.limit, e.limit_decimals,
+             e.at_least ? LimitKind::kAtLeast : LimitKind::kAtMost, e.state, meaning, past});
+        if (clicked) open_limit_editor(local.limit, snapshot, e.id, row);
     }
 
     /// Before the first step there is no evidence: what the next action does stands there.
@@ -89,7 +117,50 @@ struct Card {
                        {FontRole::kText, FontRole::kNumber, 1.5F});
     }
 
+    /// MANUAL: where joint 6 stands, as the operator reads it. Returns where it begins.
+    int told_angle(const Rect& row) const {
+        const ToldAngle told = told_angle_of(snapshot);
+        const Rect at{row.right() - ui.em(7.4F), row.y, ui.em(7.4F), row.height};
+        const float middle = static_cast<float>(row.y) + 0.5F * static_cast<float>(row.height);
+        const float label_right = static_cast<float>(at.x) - ui.scale.em(0.43F);
+        const std::string_view label = "J6 stands at";
+        draw_text(ui, label_right, middle, FontRole::kTable, ui.theme.text_second, label,
+                  Align::kRight);
+        const auto event = number_input(ui, at,
+                                        {.id = "step.told_angle",
+                                         .label = told.label,
+                                         .value = told.joint6_deg,
+                                         .unit = "°",
+                                         .decimals = 3,
+                                         .min = -kMostJoint6_deg,
+                                         .max = kMostJoint6_deg,
+                                         .why_disabled = told.why_not});
+        if (event.committed) {
+            out.push_back(request::Give{command::TellAngle{rad_from_deg(*event.committed)}});
+        }
+        return static_cast<int>(label_right - text_width(ui, FontRole::kTable, label));
+    }
+
     void run_or_by_hand(const Rect& row) const {
+        const bool manual =
+            snapshot.procedure != nullptr && snapshot.procedure->plan.mode == MotionMode::kManual;
+        const int end = manual ? told_angle(row) : joint_speed(row);
+        const int room = end - row.x - ui.em(0.86F);
+        const bool running = snapshot.procedure != nullptr && snapshot.procedure->running;
+        const Action& run = action("step.run");
+        const Action& pause = action("step.pause");
+        const std::string why_run =
+            running ? std::string() : run.refusal(snapshot).value_or(std::string());
+        const std::array<Option, 2> options{
+            {{"mode.by_hand", "By hand"}, {"mode.run", run.label, Icon::kNone, {}, why_run}}};
+        const auto clicked =
+            segments(ui, {row.x, row.y, room, row.height}, options, running ? 1 : 0);
+        if (clicked == 1U && !running) out.push_back(run.request(snapshot));
+        if (clicked == 0U && running) out.push_back(pause.request(snapshot));
+    }
+
+    /// Returns where its words begin.
+    int joint_speed(const Rect& row) const {
         const std::string speed =
             snapshot.procedure == nullptr
                 ? std::string()
@@ -102,19 +173,7 @@ struct Card {
         draw_text(ui, right, middle, FontRole::kNumberTable, ui.theme.text, speed, Align::kRight);
         draw_text(ui, right - speed_width - ui.scale.em(0.43F), middle, FontRole::kTable,
                   ui.theme.text_second, label, Align::kRight);
-        const int room = row.width - static_cast<int>(speed_width + label_width) - ui.em(1.43F);
-
-        const bool running = snapshot.procedure != nullptr && snapshot.procedure->running;
-        const Action& run = action("step.run");
-        const Action& pause = action("step.pause");
-        const std::string why_run =
-            running ? std::string() : run.refusal(snapshot).value_or(std::string());
-        const std::array<Option, 2> options{
-            {{"mode.by_hand", "By hand"}, {"mode.run", run.label, Icon::kNone, {}, why_run}}};
-        const auto clicked =
-            segments(ui, {row.x, row.y, room, row.height}, options, running ? 1 : 0);
-        if (clicked == 1U && !running) out.push_back(run.request(snapshot));
-        if (clicked == 0U && running) out.push_back(pause.request(snapshot));
+        return row.right() - static_cast<int>(speed_width + label_width) - ui.em(0.57F);
     }
 
     /// LIVE: by hand, motion is allowed only while this is held.

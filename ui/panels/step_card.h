@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/layout/window_layout.h"
+#include "ui/panels/limit_editor.h"
 #include "ui/views/request.h"
 #include "ui/views/snapshot.h"
 #include "ui/widgets/ui.h"
@@ -12,6 +13,7 @@ namespace gripscan::ui {
 struct StepCardState {
     bool holding = false;  ///< the button that allows motion was down in the last frame
     double holding_since_s = 0.0;
+    LimitEditorState limit;
 };
 
 void draw_step_card(const Ui& ui, const Rect& rect, const Snapshot& snapshot, const Detail& detail,

@@ -29,7 +29,8 @@ void table_tab(const Ui& ui, const Rect& rect, const Snapshot& snapshot, TableDo
     if (steps > 0) {
         selected = snapshot.follows_last ? steps - 1 : std::min(snapshot.selected_row, steps - 1);
     }
-    const TableEvent event = draw_text_table(ui, rect, "table", text, selected, snapshot.follows_last);
+    const TableEvent event =
+        draw_text_table(ui, rect, "table", text, selected, snapshot.follows_last);
     const auto is_step = [&](const std::optional<std::size_t>& row) { return row && *row < steps; };
     if (is_step(event.clicked)) {
         const bool last = *event.clicked + 1 == steps;
@@ -117,7 +118,8 @@ void draw_table_dock(const Ui& ui, const Rect& rect, const Snapshot& snapshot, c
         case DockTab::kImages:
             return draw_step_images(ui, area, snapshot, pictures);
         case DockTab::kAttempts:
-            (void)draw_text_table(ui, area, "attempts", attempts_text(snapshot), std::nullopt, true);
+            (void)draw_text_table(ui, area, "attempts", attempts_text(snapshot), std::nullopt,
+                                  true);
             return;
         case DockTab::kLog:
             return draw_log_list(ui, area, snapshot, log, out);

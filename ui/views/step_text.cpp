@@ -13,6 +13,7 @@
 #include "core/registration/turn_check.h"
 #include "ui/theme/shown_number.h"
 #include "ui/views/activity_text.h"
+#include "ui/views/cell_view.h"
 #include "ui/views/sentences.h"
 #include "ui/views/status_text.h"
 
@@ -159,7 +160,7 @@ VerdictWords verdict_before_steps(const ProcedureState& state) {
 }
 
 EvidenceText with_state(EvidenceText e) {
-    if (!std::isfinite(e.limit)) {
+    if (!std::isfinite(e.limit) || !std::isfinite(e.value)) {
         e.state = State::kWaiting;
         return e;
     }
@@ -212,6 +213,14 @@ std::vector<EvidenceText> rows_of(const TurnStep& row, const TurnLimits& limits)
          "How much the surface resists a turn about the axis: 0 for a surface of revolution, near "
          "0.5 for a cube."}};
     for (EvidenceText& e : rows) e = with_state(e);
+    return rows;
+}
+
+/// The limits that a plan sets, before there is a step that they judge.
+std::vector<EvidenceText> limits_ahead(const Snapshot& s) {
+    if (s.procedure == nullptr || !s.procedure->data.captures.empty()) return {};
+    auto rows = rows_of(TurnStep{}, s.procedure->plan.limits);
+    std::erase_if(rows, [](const EvidenceText& e) { return limit_fields(e.id).empty(); });
     return rows;
 }
 
@@ -346,7 +355,7 @@ std::optional<CauseText> cause_of(const Snapshot& s) {
 
 std::vector<EvidenceText> evidence_rows(const Snapshot& s) {
     const auto step = shown_step(s);
-    if (!step) return {};
+    if (!step) return limits_ahead(s);
     auto rows = rows_of(step->row, s.procedure->plan.limits);
     if (step->row.verdict == Verdict::kReject) {
         std::stable_sort(
@@ -354,6 +363,33 @@ std::vector<EvidenceText> evidence_rows(const Snapshot& s) {
             [](const EvidenceText& a, const EvidenceText& b) { return a.excess > b.excess; });
     }
     return rows;
+}
+
+EvidenceCaption evidence_caption(const Snapshot& s) {
+    if (s.procedure == nullptr) return {};
+    const auto step = shown_step(s);
+    if (!step) return {"Limits of every step", false};
+    const Activity* activity = activity_of(*s.procedure);
+    if (activity == nullptr || !shows_last(s)) return {};
+    const int index = step->row.index;
+    if (std::holds_alternative<activity::Solving>(*activity)) {
+        return {fmt::format("Step {}, the last one", index), true};
+    }
+    return {fmt::format("Step {}, the one before", index), true};
+}
+
+ToldAngle told_angle_of(const Snapshot& s) {
+    ToldAngle told{"J6 as the pendant shows it", kNoLimit, "no session is open"};
+    if (s.procedure == nullptr) return told;
+    if (const auto joint6_rad = standing_joint6_rad(*s.procedure)) {
+        told.joint6_deg = deg_from_rad(*joint6_rad);
+    }
+    if (s.session && s.session->recorded) {
+        told.why_not = "a recording is only looked at";
+    } else {
+        told.why_not = refusal(*s.procedure, command::TellAngle{}).value_or(std::string());
+    }
+    return told;
 }
 
 std::string why_step_waits(const Snapshot& s) {

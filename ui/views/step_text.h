@@ -70,8 +70,24 @@ struct EvidenceText {
     std::string_view meaning;
     double excess = 0.0;  ///< 1: on the limit; orders rejected evidence
 };
-/// Worst first for a rejected step; empty without a step.
+/// Worst first for a rejected step. Before the first view: the limits that steps will have, without
+/// values. Empty where there is neither.
 [[nodiscard]] std::vector<EvidenceText> evidence_rows(const Snapshot& snapshot);
+
+/// Whose evidence it is, where that does not go without saying.
+struct EvidenceCaption {
+    std::string words;  ///< "Step 13, the one before"; empty: the shown step
+    bool past = false;  ///< of the step before the one that is going on
+};
+[[nodiscard]] EvidenceCaption evidence_caption(const Snapshot& snapshot);
+
+/// Joint 6 as the operator tells it, in MANUAL.
+struct ToldAngle {
+    std::string label;        ///< of the input
+    double joint6_deg = 0.0;  ///< as told or read last; no number: neither
+    std::string why_not;      ///< why it cannot be told now; empty: it can
+};
+[[nodiscard]] ToldAngle told_angle_of(const Snapshot& snapshot);
 
 /// Why the turn does not go on by a step now; empty while it may.
 [[nodiscard]] std::string why_step_waits(const Snapshot& snapshot);

@@ -129,9 +129,8 @@ ButtonEvent icon_button(const Ui& ui, const Rect& rect, const ButtonSpec& spec) 
     const float radius = ui.scale.em(0.29F);
     const bool enabled = spec.why_disabled.empty();
     if (enabled && (spec.chosen || attention.hovered)) fill(rect, ui.theme.hover, radius);
-    const Colour& colour = !enabled      ? ui.theme.line2
-                           : spec.chosen ? ui.theme.text
-                                         : ui.theme.text_second;
+    const Colour grey = mixed(ui.theme.line2, ui.theme.text_third, 0.6);
+    const Colour& colour = !enabled ? grey : spec.chosen ? ui.theme.text : ui.theme.text_second;
     draw_icon(ui, static_cast<float>(rect.x) + 0.5F * static_cast<float>(rect.width),
               static_cast<float>(rect.y) + 0.5F * static_cast<float>(rect.height), spec.icon,
               colour);

@@ -54,6 +54,23 @@ std::string fitted(const Ui& ui, FontRole role, std::string_view text, float wid
     return {};
 }
 
+std::string fitted_middle(const Ui& ui, FontRole role, std::string_view text, float width) {
+    if (text_width(ui, role, text) <= width) return std::string(text);
+    const auto begins = [&](std::size_t i) {
+        return i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
+    };
+    // One third in front of the gap, two behind it.
+    for (std::size_t kept = text.size(); kept > 0; --kept) {
+        std::size_t front = kept / 3;
+        std::size_t back = text.size() - (kept - front);
+        while (front > 0 && !begins(front)) --front;
+        while (!begins(back)) ++back;
+        std::string cut = std::string(text.substr(0, front)) + "…" + std::string(text.substr(back));
+        if (text_width(ui, role, cut) <= width) return cut;
+    }
+    return {};
+}
+
 void draw_icon(const Ui& ui, float x, float y, Icon icon, const Colour& colour, FontRole size) {
     if (icon == Icon::kNone) return;
     const ImFont* font = ui.fonts[size];

@@ -22,6 +22,9 @@ float draw_text(const Ui& ui, float x, float y, FontRole role, const Colour& col
 
 /// The text as it fits, cut with "…" where it is too wide.
 [[nodiscard]] std::string fitted(const Ui& ui, FontRole role, std::string_view text, float width);
+/// The same, cut in its middle: of a path the end tells most.
+[[nodiscard]] std::string fitted_middle(const Ui& ui, FontRole role, std::string_view text,
+                                        float width);
 
 /// Centred on a point.
 void draw_icon(const Ui& ui, float x, float y, Icon icon, const Colour& colour,

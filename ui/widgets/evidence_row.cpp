@@ -38,8 +38,12 @@ bool evidence_row(const Ui& ui, const Rect& rect, const Evidence& evidence) {
     if (attention.hovered) fill(rect, ui.theme.raised, ui.scale.em(0.21F));
     const bool limited = std::isfinite(evidence.limit);
     const bool fine = !limited || evidence.state == State::kAccept;
-    const Colour& bar = fine ? ui.theme.text_second : colour_of(ui.theme, evidence.state);
-    const Colour& number = fine ? ui.theme.text : colour_of(ui.theme, evidence.state);
+    const Colour& bar = evidence.past ? ui.theme.line2
+                        : fine        ? ui.theme.text_second
+                                      : colour_of(ui.theme, evidence.state);
+    const Colour& number = evidence.past ? ui.theme.text_third
+                           : fine        ? ui.theme.text
+                                         : colour_of(ui.theme, evidence.state);
 
     const float y = static_cast<float>(rect.y) + 0.5F * static_cast<float>(rect.height);
     const int right = rect.right();
@@ -48,7 +52,8 @@ bool evidence_row(const Ui& ui, const Rect& rect, const Evidence& evidence) {
     const float bar_em = rect.width < ui.em(24.0F) ? 3.29F : 5.57F;
     const int bar_x = right - ui.em(6.14F + bar_em);
     const int unit = bar_x - ui.em(1.86F);
-    draw_text(ui, static_cast<float>(rect.x), y, FontRole::kTable, ui.theme.text_second,
+    draw_text(ui, static_cast<float>(rect.x), y, FontRole::kTable,
+              evidence.past ? ui.theme.text_third : ui.theme.text_second,
               fitted(ui, FontRole::kTable, evidence.label,
                      static_cast<float>(unit - rect.x) -
                          text_width(ui, FontRole::kNumberTable, shown) - ui.scale.em(0.71F)));
@@ -62,6 +67,7 @@ bool evidence_row(const Ui& ui, const Rect& rect, const Evidence& evidence) {
                                    shown_number(evidence.limit, evidence.limit_decimals);
     draw_text(ui, static_cast<float>(limit), y, FontRole::kNumberTable, ui.theme.text_third,
               limit_text, Align::kRight);
+    if (evidence.past) return event.clicked;
     draw_state(ui, static_cast<float>(shape), y, evidence.state, 0.93F, ui.theme.panel);
     return event.clicked;
 }

@@ -21,6 +21,7 @@ struct Evidence {
     LimitKind kind = LimitKind::kAtMost;
     State state = State::kAccept;
     std::string_view meaning = {};  ///< tooltip: what it is and how it is computed
+    bool past = false;              ///< of what is over: grey
 };
 
 /// How much of the bar is filled, 0 … 1; the limit stands at 2/3.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
 #include "tests/support/sample_snapshot.h"
 #include "tests/support/ui_driver.h"
 #include "ui/panels/history_panel.h"
@@ -13,6 +14,7 @@
 #include "ui/panels/toasts.h"
 #include "ui/panels/top_bar.h"
 #include "ui/views/actions.h"
+#include "ui/views/step_text.h"
 
 namespace gripscan::ui {
 namespace {
@@ -115,6 +117,90 @@ TEST(StepCard, TheNextActionStandsInTheLargeButtonAndStepInItsPlace) {
         EXPECT_EQ(rejected.find(name)->rect, running.find(name)->rect) << name;
     }
     EXPECT_EQ(rejected.find("step.waits")->label, "Step 6 is to be accepted or taken again.");
+}
+
+TEST(StepCard, ALimitIsEditedWhereItIsShownBeforeTheFirstView) {
+    Screen page(sample_cell_checked());
+    ASSERT_TRUE(page.find("evidence.slip"));
+    EXPECT_EQ(page.find("step.evidence_of")->label, "Limits of every step");
+    EXPECT_FALSE(page.find("evidence.rms")) << "no plan sets a limit for it";
+    (void)page.click("evidence.slip");
+    ASSERT_TRUE(page.find("plan.slip"));
+    EXPECT_FALSE(page.find("plan.overlap")) << "each line has its own";
+    (void)page.click("plan.slip");
+    page.out().clear();
+    page.driver().type("0.4");
+    page.driver().key(ImGuiKey_Enter);
+    ASSERT_EQ(page.out().size(), 1U);
+    const auto* set = std::get_if<request::SetPlan>(&page.out()[0]);
+    ASSERT_NE(set, nullptr);
+    EXPECT_NEAR(set->plan.limits.slip_m, 0.0004, 1e-12);
+    EXPECT_EQ(set->plan.limits.tilt_rad, page.sample().state->plan.limits.tilt_rad);
+    page.sample().state->plan = set->plan;
+    const Requests reset = page.click("plan.slip.reset");
+    ASSERT_EQ(reset.size(), 1U);
+    EXPECT_NEAR(std::get<request::SetPlan>(reset[0]).plan.limits.slip_m, TurnLimits{}.slip_m,
+                1e-12);
+}
+
+TEST(StepCard, TheAngleErrorHasBothLimitsThatMakeIt) {
+    Screen page(sample_cell_checked());
+    (void)page.click("evidence.angle_error");
+    EXPECT_TRUE(page.find("plan.angle"));
+    EXPECT_TRUE(page.find("plan.sigmas"));
+}
+
+TEST(StepCard, LimitsStayOnceAViewIsTaken) {
+    Screen page(sample_running());
+    EXPECT_THAT(page.click("evidence.slip"), testing::IsEmpty());
+    EXPECT_FALSE(page.find("plan.slip"));
+}
+
+TEST(StepCard, EvidenceOfTheStepBeforeIsCalledSo) {
+    Screen aligning(sample_aligning());
+    const auto caption = aligning.find("step.evidence_of");
+    ASSERT_TRUE(caption);
+    EXPECT_THAT(caption->label, testing::HasSubstr("the one before"));
+    EXPECT_TRUE(evidence_caption(aligning.sample().snapshot).past);
+    Screen running(sample_running());
+    EXPECT_FALSE(running.find("step.evidence_of"));
+}
+
+/// Without motion rights and without a link that reads.
+Sample sample_by_hand() {
+    Sample sample = sample_cell_checked();
+    sample.state->plan.mode = MotionMode::kManual;
+    sample.state->reading.reset();
+    sample.snapshot.reading.reset();
+    return sample;
+}
+
+TEST(StepCard, TheOperatorTellsTheAngleWhereItIsWaitedFor) {
+    Sample sample = sample_by_hand();
+    Shot shot;
+    shot.index = 1;
+    sample.state->phase = phase::Busy{activity::AwaitingOperator{rad_from_deg(20.0), shot}};
+    Screen page(std::move(sample));
+    EXPECT_EQ(page.find("status.mode")->label, "MANUAL");
+    ASSERT_TRUE(page.find("step.told_angle"));
+    EXPECT_TRUE(page.find("step.told_angle")->enabled);
+    (void)page.click("step.told_angle");
+    page.out().clear();
+    page.driver().type("19.75");
+    page.driver().key(ImGuiKey_Enter);
+    ASSERT_TRUE(gives<command::TellAngle>(page.out()));
+    const auto& give = std::get<request::Give>(page.out()[0]);
+    EXPECT_NEAR(std::get<command::TellAngle>(give.command).joint6_rad, rad_from_deg(19.75), 1e-12);
+}
+
+TEST(StepCard, WhereTheRobotIsReadNobodyTellsItsAngle) {
+    Sample sample = sample_by_hand();
+    sample.state->reading.emplace();
+    Screen page(std::move(sample));
+    EXPECT_FALSE(page.find("step.told_angle")->enabled);
+    EXPECT_EQ(page.find("step.told_angle")->reason, "the robot is read");
+    Screen simulated(sample_cell_checked());
+    EXPECT_FALSE(simulated.find("step.told_angle")) << "only without motion rights";
 }
 
 TEST(StepCard, NothingOverlapsInAnyState) {

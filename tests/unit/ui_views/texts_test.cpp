@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <algorithm>
 
 #include "core/base/units.h"
@@ -141,7 +143,12 @@ TEST(Evidence, IsSortedWorstFirstForARejectedStepOnly) {
     EXPECT_EQ(accepted[0].id, "evidence.angle_error");
     EXPECT_EQ(accepted[3].id, "evidence.slip");
     for (const EvidenceText& e : accepted) EXPECT_LE(e.excess, 1.0) << e.id;
-    EXPECT_TRUE(evidence_rows(sample_empty().snapshot).empty());
+    const auto ahead = evidence_rows(sample_empty().snapshot);
+    ASSERT_EQ(ahead.size(), 4U) << "the limits that the plan sets";
+    for (const EvidenceText& e : ahead) {
+        EXPECT_TRUE(std::isnan(e.value)) << e.id;
+        EXPECT_EQ(e.state, State::kWaiting) << e.id;
+    }
 }
 
 TEST(Heading, AddsUpWhatTheTableHolds) {

@@ -45,6 +45,25 @@ TEST(Fitted, CutsWholeLettersAndNeverExceedsTheWidth) {
     driver.frame();
 }
 
+TEST(FittedMiddle, KeepsTheEndOfAPath) {
+    UiDriver driver(400, 100, [](const Ui& ui) {
+        const std::string path = "/home/müller/gripscan/object-2026/exports/Größe_v12.pcd";
+        EXPECT_EQ(fitted_middle(ui, FontRole::kTable, path, 2000.0F), path);
+        for (float width = 60.0F; width < 360.0F; width += 7.0F) {
+            const std::string cut = fitted_middle(ui, FontRole::kTable, path, width);
+            EXPECT_LE(text_width(ui, FontRole::kTable, cut), width);
+            const std::size_t gap = cut.find("…");
+            if (cut == path) continue;
+            ASSERT_NE(gap, std::string::npos) << cut;
+            EXPECT_TRUE(path.starts_with(cut.substr(0, gap))) << cut;
+            EXPECT_TRUE(path.ends_with(cut.substr(gap + std::string("…").size()))) << cut;
+        }
+        const std::string cut = fitted_middle(ui, FontRole::kTable, path, 200.0F);
+        EXPECT_TRUE(cut.ends_with("_v12.pcd")) << cut;
+    });
+    driver.frame();
+}
+
 TEST(RichText, TakesMoreLinesInLessWidth) {
     UiDriver driver(800, 200, [](const Ui& ui) {
         const auto height = [&](int width) {
