@@ -78,31 +78,6 @@ TEST(StartPageLook, AtTheFirstStart) {
     start_page({"start-empty-light_100", 1280, 730, 1.0F, kLight}, {});
 }
 
-Snapshot template_snapshot() {
-    Snapshot snapshot;
-    snapshot.page = ui::Page::kTemplate;
-    ui::SessionFacts facts;
-    facts.folder = "/sessions/valve-T20";
-    facts.name = "valve-T20";
-    snapshot.session = facts;
-    snapshot.filter.crop = Box{{-0.05, -0.05, 0.55}, {0.05, 0.05, 0.65}};
-    snapshot.filter.min_seen = 8;
-    snapshot.filter.denoise_sigmas = 1.5;
-    snapshot.shown_template = sample_template(snapshot.filter);
-    auto solved = std::make_shared<ComputedTurn>();
-    for (int i = 1; i <= 36; ++i) {
-        TurnStep step;
-        step.index = i;
-        step.verdict = i == 11 ? Verdict::kCheck : Verdict::kAccept;
-        solved->report.steps.push_back(step);
-    }
-    solved->report.closure_before = solved->report.closure_after =
-        Closure{rad_from_deg(0.07), 0.24e-3};
-    solved->report.axis = AxisEstimate{};
-    snapshot.solved = solved;
-    return snapshot;
-}
-
 void template_column(const Look& look, const Snapshot& snapshot) {
     ui::TemplatePageState local;
     expect_look(look, [&](const Ui& ui, const Rect& rect) {
@@ -112,7 +87,7 @@ void template_column(const Look& look, const Snapshot& snapshot) {
 }
 
 TEST(TemplateColumnLook, InItsStates) {
-    const Snapshot full = template_snapshot();
+    const Snapshot full = sample_template_page();
     template_column({"template-dark_100", 380, 876}, full);
     template_column({"template-light_200", 380, 876, 2.0F, kLight}, full);
     template_column({"template-empty-dark_100", 380, 730}, {});
@@ -153,7 +128,7 @@ constexpr Look small(const char* name, ui::ThemeChoice theme = ui::ThemeChoice::
 }
 
 TEST(ExportDialogLook, DarkAndLight) {
-    const Snapshot snapshot = template_snapshot();
+    const Snapshot snapshot = sample_template_page();
     ui::ExportDialogState local;
     const auto draw = [&](const Ui& ui, const Rect& rect, Requests& out) {
         draw_export_dialog(ui, rect, snapshot, local, out);
@@ -242,64 +217,6 @@ TEST(SettingsLook, LooksAndKeys) {
     });
 }
 
-/// A gripper and an object found in one view.
-Snapshot recognised_snapshot() {
-    Snapshot snapshot;
-    snapshot.page = ui::Page::kRecognise;
-    snapshot.session =
-        ui::SessionFacts{"/data/valve-T20", "valve-T20", "simulated cell", false, {}};
-    static const ProcedureState kState = sample_cell_state(SampleCell::kPassed);
-    snapshot.procedure = &kState;
-    snapshot.cell = sample_cell_frame();
-    snapshot.library = {
-        {"gripper-G2", ui::TemplateKind::kGripper, 41180, "none", "", ""},
-        {"valve-T18", ui::TemplateKind::kObject, 18210, "none", "held by gripper-G2",
-         "valve-T18 was registered with another template of gripper-G2"},
-        {"valve-T20", ui::TemplateKind::kObject, 21604, "2-fold", "held by gripper-G2", ""}};
-    auto shown = std::make_shared<ui::ShownRecognition>();
-    shown->view = 3;
-    shown->seconds = 0.42;
-    shown->looked_for = 3;
-    shown->least_score = 0.45;
-    shown->least_found = 0.25;
-    const auto found = [&](const char* name, ui::TemplateKind kind, double x_m) {
-        ui::FoundTemplate f;
-        f.name = name;
-        f.kind = kind;
-        f.T_camera_template.linear() = rotation_from_euler({0.4, -0.2, 0.1});
-        f.T_camera_template.translation() = Eigen::Vector3d(x_m, 0.01, 0.74);
-        f.T_robot_template = turn_about(Axis{}, 1.2) * f.T_camera_template;
-        f.T_gripper_template = turn_about(Axis{}, 0.2);
-        f.score = 0.91;
-        f.support = 0.97;
-        f.found = 0.87;
-        f.outline = 0.82;
-        f.rms_m = 0.27e-3;
-        f.tolerance_m = 1.0e-3;
-        f.box = {{-0.03, -0.04, -0.03}, {0.03, 0.04, 0.03}};
-        shown->found.push_back(f);
-    };
-    found("gripper-G2", ui::TemplateKind::kGripper, 0.09);
-    found("valve-T20", ui::TemplateKind::kObject, 0.0);
-    shown->found[1].symmetry = "2-fold";
-    shown->joint6_robot_rad = rad_from_deg(60.004);
-    shown->joint6_gripper_rad = rad_from_deg(60.020);
-    shown->grasp = ui::ShownGrasp{"valve-T20", turn_about(Axis{}, 0.7), true,
-                                  "The arm reaches it with J1 12.5°, J5 −62.0°."};
-    auto picture = std::make_shared<ui::StereoPicture>();
-    picture->left = cv::Mat(960, 1280, CV_8U);
-    for (int y = 0; y < 960; ++y) {
-        for (int x = 0; x < 1280; ++x) {
-            picture->left.at<std::uint8_t>(y, x) =
-                static_cast<std::uint8_t>(90 + (x * 7 + y * 13) % 40);
-        }
-    }
-    picture->right = picture->left;
-    shown->picture = std::move(picture);
-    snapshot.recognition = std::move(shown);
-    return snapshot;
-}
-
 void recognise_page(const Look& look, const Snapshot& snapshot) {
     ui::RecognisePageState local;
     expect_look(look, [&](const Ui& ui, const Rect& rect) {
@@ -311,18 +228,18 @@ void recognise_page(const Look& look, const Snapshot& snapshot) {
 }
 
 TEST(RecognisePageLook, WithGripperAndObject) {
-    recognise_page({"recognise-dark_100", 1600, 880}, recognised_snapshot());
-    recognise_page({"recognise-light_100", 1280, 730, 1.0F, kLight}, recognised_snapshot());
+    recognise_page({"recognise-dark_100", 1600, 880}, sample_recognised());
+    recognise_page({"recognise-light_100", 1280, 730, 1.0F, kLight}, sample_recognised());
 }
 
 TEST(RecognisePageLook, BeforeTheFirstView) {
-    Snapshot snapshot = recognised_snapshot();
+    Snapshot snapshot = sample_recognised();
     snapshot.recognition.reset();
     recognise_page({"recognise-empty-dark_100", 1280, 730}, snapshot);
 }
 
 TEST(RecognisePageLook, WithSomethingInTheWay) {
-    Snapshot snapshot = recognised_snapshot();
+    Snapshot snapshot = sample_recognised();
     auto shown = std::make_shared<ui::ShownRecognition>(*snapshot.recognition);
     shown->strangers = {"something is in the way: 150 x 26 x 11 mm at x 12, y 83, z 640 mm"};
     shown->found.pop_back();

@@ -130,14 +130,14 @@ void states(const Page& page) {
         page.words(x + 28, 298, FontRole::kTextStrong, colour_of(ui.theme, state), word(state));
         x += 138;
     }
-    x = 812;
+    int number = 0;
     for (const RobotMode mode :
          {RobotMode::kSim, RobotMode::kDry, RobotMode::kLive, RobotMode::kManual}) {
-        const Rect at = page.rect(x, 298, 0, 0);
+        const Rect at = page.rect(812 + 380 * (number / 2), 284 + 32 * (number % 2), 0, 0);
+        ++number;
         const int end = draw_mode_chip(ui, at.x, static_cast<float>(at.y), mode);
         draw_text(ui, static_cast<float>(end) + ui.scale.em(0.43F), static_cast<float>(at.y),
                   FontRole::kSmall, ui.theme.text_second, sentence(mode));
-        x += mode == RobotMode::kSim ? 236 : mode == RobotMode::kLive ? 140 : 196;
     }
 }
 

@@ -154,4 +154,86 @@ std::vector<ui::KeyBinding> sample_keys() {
             {"window.keys", "All keys", "F1", "Window", "F1"}};
 }
 
+ui::Snapshot sample_template_page() {
+    ui::Snapshot snapshot;
+    snapshot.page = ui::Page::kTemplate;
+    ui::SessionFacts facts;
+    facts.folder = "/sessions/valve-T20";
+    facts.name = "valve-T20";
+    snapshot.session = facts;
+    snapshot.filter.crop = Box{{-0.05, -0.05, 0.55}, {0.05, 0.05, 0.65}};
+    snapshot.filter.min_seen = 8;
+    snapshot.filter.denoise_sigmas = 1.5;
+    snapshot.shown_template = sample_template(snapshot.filter);
+    auto solved = std::make_shared<ComputedTurn>();
+    for (int i = 1; i <= 36; ++i) {
+        TurnStep step;
+        step.index = i;
+        step.verdict = i == 11 ? Verdict::kCheck : Verdict::kAccept;
+        solved->report.steps.push_back(step);
+    }
+    solved->report.closure_before = solved->report.closure_after =
+        Closure{rad_from_deg(0.07), 0.24e-3};
+    solved->report.axis = AxisEstimate{};
+    snapshot.solved = solved;
+    return snapshot;
+}
+
+ui::Snapshot sample_recognised() {
+    ui::Snapshot snapshot;
+    snapshot.page = ui::Page::kRecognise;
+    snapshot.session =
+        ui::SessionFacts{"/data/valve-T20", "valve-T20", "simulated cell", false, {}};
+    static const ProcedureState kState = sample_cell_state(SampleCell::kPassed);
+    snapshot.procedure = &kState;
+    snapshot.cell = sample_cell_frame();
+    snapshot.library = {
+        {"gripper-G2", ui::TemplateKind::kGripper, 41180, "none", "", ""},
+        {"valve-T18", ui::TemplateKind::kObject, 18210, "none", "held by gripper-G2",
+         "valve-T18 was registered with another template of gripper-G2"},
+        {"valve-T20", ui::TemplateKind::kObject, 21604, "2-fold", "held by gripper-G2", ""}};
+    auto shown = std::make_shared<ui::ShownRecognition>();
+    shown->view = 3;
+    shown->seconds = 0.42;
+    shown->looked_for = 3;
+    shown->least_score = 0.45;
+    shown->least_found = 0.25;
+    const auto found = [&](const char* name, ui::TemplateKind kind, double x_m) {
+        ui::FoundTemplate f;
+        f.name = name;
+        f.kind = kind;
+        f.T_camera_template.linear() = rotation_from_euler({0.4, -0.2, 0.1});
+        f.T_camera_template.translation() = Eigen::Vector3d(x_m, 0.01, 0.74);
+        f.T_robot_template = turn_about(Axis{}, 1.2) * f.T_camera_template;
+        f.T_gripper_template = turn_about(Axis{}, 0.2);
+        f.score = 0.91;
+        f.support = 0.97;
+        f.found = 0.87;
+        f.outline = 0.82;
+        f.rms_m = 0.27e-3;
+        f.tolerance_m = 1.0e-3;
+        f.box = {{-0.03, -0.04, -0.03}, {0.03, 0.04, 0.03}};
+        shown->found.push_back(f);
+    };
+    found("gripper-G2", ui::TemplateKind::kGripper, 0.09);
+    found("valve-T20", ui::TemplateKind::kObject, 0.0);
+    shown->found[1].symmetry = "2-fold";
+    shown->joint6_robot_rad = rad_from_deg(60.004);
+    shown->joint6_gripper_rad = rad_from_deg(60.020);
+    shown->grasp = ui::ShownGrasp{"valve-T20", turn_about(Axis{}, 0.7), true,
+                                  "The arm reaches it with J1 12.5°, J5 −62.0°."};
+    auto picture = std::make_shared<ui::StereoPicture>();
+    picture->left = cv::Mat(960, 1280, CV_8U);
+    for (int y = 0; y < 960; ++y) {
+        for (int x = 0; x < 1280; ++x) {
+            picture->left.at<std::uint8_t>(y, x) =
+                static_cast<std::uint8_t>(90 + (x * 7 + y * 13) % 40);
+        }
+    }
+    picture->right = picture->left;
+    shown->picture = std::move(picture);
+    snapshot.recognition = std::move(shown);
+    return snapshot;
+}
+
 }  // namespace gripscan::test

@@ -18,4 +18,9 @@ enum class SampleCell { kNotChecked, kPassed, kFailed };
 
 [[nodiscard]] std::vector<ui::KeyBinding> sample_keys();
 
+/// The template page of a complete session, every filter on.
+[[nodiscard]] ui::Snapshot sample_template_page();
+/// A gripper and an object found in one view.
+[[nodiscard]] ui::Snapshot sample_recognised();
+
 }  // namespace gripscan::test

@@ -141,7 +141,7 @@ void draw_export_dialog(const Ui& ui, const Rect& beside, const Snapshot& snapsh
     DialogFrame frame(ui, beside,
                       {.id = "dialog.export",
                        .title = "Export template",
-                       .body_height = ui.em(26.2F),
+                       .body_height = ui.em(27.6F),
                        .modal = false});
     if (frame.appeared()) begin(snapshot, local);
     Form form(ui, frame.body());

@@ -85,9 +85,10 @@ void draw_found(Column& c, std::size_t i) {
     ui.log.record({fmt::format("found.{}", i), title, head, true, found.explained});
     c.y += head.height;
     for (const EvidenceText& e : found_evidence(shown, i)) {
+        const std::string id = fmt::format("{}.{}", e.id, i);
         (void)evidence_row(
             ui, c.row(),
-            {e.id, e.label, e.value, e.unit, e.decimals, e.with_sign, e.limit, e.limit_decimals,
+            {id, e.label, e.value, e.unit, e.decimals, e.with_sign, e.limit, e.limit_decimals,
              e.at_least ? LimitKind::kAtLeast : LimitKind::kAtMost, e.state, e.meaning});
         c.y += c.row().height;
     }
@@ -118,10 +119,33 @@ void draw_witness(Column& c) {
     }
 }
 
+/// In place of a template's row: a file is deleted, which nothing takes back.
+void ask_before_removing(Column& c, std::size_t i) {
+    const Ui& ui = c.ui;
+    const LibraryEntry& entry = c.snapshot.library[i];
+    const Rect row = c.row(1.86F);
+    const int wide = ui.em(4.0F);
+    const int gap = ui.em(0.36F);
+    const Rect keep{row.right() - wide, row.y, wide, row.height - ui.em(0.14F)};
+    const Rect erase{keep.x - gap - wide, row.y, wide, keep.height};
+    draw_text(ui, static_cast<float>(row.x), middle_of(row), FontRole::kTable, ui.theme.text,
+              fitted(ui, FontRole::kTable, fmt::format("Delete {}?", entry.name),
+                     static_cast<float>(erase.x - row.x - gap)));
+    const std::string erase_id = fmt::format("library.delete.{}", i);
+    const std::string keep_id = fmt::format("library.keep.{}", i);
+    ButtonSpec spec{erase_id, "Delete"};
+    spec.look = ButtonLook::kStop;
+    const bool erased = button(ui, erase, spec).clicked;
+    if (erased) c.out.push_back(request::LibraryRemove{entry.name});
+    if (button(ui, keep, {keep_id, "Keep"}) || erased) c.local.to_remove.clear();
+    c.y += row.height;
+}
+
 /// A template of the library with its marks, and the button that takes it out.
 void draw_entry(Column& c, std::size_t i) {
     const Ui& ui = c.ui;
     const LibraryEntry& entry = c.snapshot.library[i];
+    if (entry.name == c.local.to_remove) return ask_before_removing(c, i);
     const Rect row = c.row(1.86F);
     const bool gripper = entry.kind == TemplateKind::kGripper;
     const int side = ui.em(0.57F);
@@ -133,7 +157,7 @@ void draw_entry(Column& c, std::size_t i) {
     const std::string id = fmt::format("library.remove.{}", i);
     ButtonSpec spec{id, {}, Icon::kClose};
     spec.tooltip = "Delete this template from the library; the session it came from stays";
-    if (icon_button(ui, remove, spec)) c.out.push_back(request::LibraryRemove{entry.name});
+    if (icon_button(ui, remove, spec)) c.local.to_remove = entry.name;
     const std::string note = entry.stale.empty()
                                  ? shown_count(static_cast<long long>(entry.points)) + " points"
                                  : "stale";

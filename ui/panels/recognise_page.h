@@ -1,6 +1,8 @@
 // The Recognise page: one view, the templates found in it, their poses and what they rest on.
 #pragma once
 
+#include <string>
+
 #include "ui/layout/window_layout.h"
 #include "ui/panels/stereo_panel.h"
 #include "ui/panels/view3d_panel.h"
@@ -19,6 +21,7 @@ struct RecognisePageLayout {
 
 struct RecognisePageState {
     StereoPanelState image;
+    std::string to_remove;  ///< template of the library that is asked about; empty: none
 };
 
 /// All but the 3D view. `textures` null: only the words are drawn (no OpenGL).

@@ -30,6 +30,9 @@ constexpr int kFramesPerNews = 2;
 /// Longest sleep: a lost wake-up would show after this.
 constexpr double kLongestWait_s = 2.0;
 constexpr double kCursorBlink_s = 0.4;
+/// Smallest window in which no page loses anything, px at 100 %.
+constexpr float kSmallestWidth = 1024.0F;
+constexpr float kSmallestHeight = 640.0F;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -52,6 +55,7 @@ struct AppWindow::Parts {
     WidgetLog log;
     Clock::time_point opened = Clock::now();
     float user_scale = 1.0F;
+    float limited_at = 0.0F;  ///< scale at which the smallest size was set
     ThemeChoice theme = ThemeChoice::kDark;
     bool theme_changed = false;
     FrameTimes last;
@@ -66,9 +70,17 @@ struct AppWindow::Parts {
         session.reset();
     }
 
+    /// The pages have room in a window of that size, and not in a smaller one.
+    void limit_size(const Scale& scale) {
+        if (std::exchange(limited_at, scale.factor()) == scale.factor()) return;
+        window->keep_at_least({static_cast<int>(scale.px(kSmallestWidth)),
+                               static_cast<int>(scale.px(kSmallestHeight))});
+    }
+
     /// Scale and theme, between frames.
     Status apply_changes() {
         const Scale wanted(window->content_scale() * user_scale);
+        limit_size(wanted);
         if (auto set = session->set_scale(wanted); !set) return set;
         if (!std::exchange(theme_changed, false)) return {};
         return session->set_theme(theme);
@@ -139,6 +151,11 @@ Result<std::unique_ptr<AppWindow>> AppWindow::make(const WindowSettings& setting
     parts.user_scale = settings.user_scale;
     parts.theme = settings.theme;
     const Scale scale(parts.window->content_scale() * settings.user_scale);
+    if (const float monitor = parts.window->content_scale(); monitor != 1.0F) {
+        const auto size = [&](int px) { return static_cast<int>(monitor * static_cast<float>(px)); };
+        parts.window->resize({size(settings.width_px), size(settings.height_px)});
+    }
+    parts.limit_size(scale);
     auto session = ImGuiSession::make(settings.theme, scale);
     if (!session) return forward_error(session.error());
     parts.session = *std::move(session);

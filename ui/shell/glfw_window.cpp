@@ -4,6 +4,8 @@
 // After epoxy, which brings OpenGL's names itself.
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+
 #include <atomic>
 #include <utility>
 
@@ -122,6 +124,33 @@ GlfwWindow::News GlfwWindow::wait(double seconds) {
 void GlfwWindow::wake() {
     woken = true;
     glfwPostEmptyEvent();
+}
+
+namespace {
+
+/// What fits on the monitor beside its bars.
+GlfwWindow::Size fitting(GlfwWindow::Size wanted) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return wanted;
+    int x = 0;
+    int y = 0;
+    GlfwWindow::Size room{};
+    glfwGetMonitorWorkarea(monitor, &x, &y, &room.width_px, &room.height_px);
+    if (room.width_px <= 0 || room.height_px <= 0) return wanted;
+    return {std::min(wanted.width_px, room.width_px), std::min(wanted.height_px, room.height_px)};
+}
+
+}  // namespace
+
+void GlfwWindow::resize(Size wanted) {
+    const Size size = fitting(wanted);
+    glfwSetWindowSize(window_, size.width_px, size.height_px);
+}
+
+void GlfwWindow::keep_at_least(Size smallest) {
+    const Size size = fitting(smallest);
+    glfwSetWindowSizeLimits(window_, size.width_px, size.height_px, GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
 }
 
 GlfwWindow::Size GlfwWindow::framebuffer() const {

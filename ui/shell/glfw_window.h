@@ -41,6 +41,10 @@ class GlfwWindow {
         int height_px;
     };
     [[nodiscard]] Size framebuffer() const;
+    /// As far as the monitor has room for it.
+    void resize(Size wanted);
+    /// The user cannot make it smaller, as far as the monitor has room for that.
+    void keep_at_least(Size smallest);
     /// Of the monitor the window is on.
     [[nodiscard]] float content_scale() const;
     /// Whether the user wants the window closed; asked once, forgotten.

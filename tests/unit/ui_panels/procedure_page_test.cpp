@@ -75,20 +75,29 @@ std::vector<Sample (*)()> all_samples() {
 }
 
 TEST(StepCard, ButtonsAreGreyExactlyWhereTheProcedureRefusesAndSayWhy) {
+    int enabled = 0;
+    int grey = 0;
     for (const auto& make : all_samples()) {
         Screen page(make());
+        int shown = 0;
         for (const char* name : {"step.capture", "step.retry", "step.halve", "step.accept",
                                  "step.back", "step.stop", "step.step"}) {
             const auto button = page.find(name);
-            if (!button) continue;  // another action is next, or stands in its place
+            if (!button) continue;  // another action is next, and stands in its place
+            ++shown;
             const auto why = action(name).refusal(page.sample().snapshot);
             EXPECT_EQ(button->enabled, !why) << name;
             EXPECT_EQ(button->reason, why.value_or("")) << name;
+            ++(button->enabled ? enabled : grey);
         }
+        EXPECT_GE(shown, 6);
     }
+    EXPECT_GT(enabled, 10);
+    EXPECT_GT(grey, 10);
 }
 
 TEST(StepCard, EveryEnabledButtonEmitsItsCommandOnce) {
+    int emitted = 0;
     for (const auto& make : all_samples()) {
         Screen page(make());
         for (const Action& a : actions()) {
@@ -98,9 +107,11 @@ TEST(StepCard, EveryEnabledButtonEmitsItsCommandOnce) {
             const Requests out = page.click(a.name);
             ASSERT_EQ(out.size(), button->enabled ? 1U : 0U) << a.name;
             if (out.empty()) continue;
+            ++emitted;
             EXPECT_EQ(out[0].index(), a.request(page.sample().snapshot).index()) << a.name;
         }
     }
+    EXPECT_GT(emitted, 10);
 }
 
 TEST(StepCard, TheNextActionStandsInTheLargeButtonAndStepInItsPlace) {
