@@ -131,5 +131,33 @@ TEST(Damage, IsNothingWhereNothingChangedAndAllAfterItWasForgotten) {
     EXPECT_EQ(damage.next(*ImGui::GetDrawData()), all);
 }
 
+TEST(Damage, IsTheWholePictureWhereAnotherTextureTakesItsPlace) {
+    // Textures have small names, and change a small number of times: all pairs of both.
+    GLuint name = 1;
+    std::uint64_t version = 0;
+    const ui::Rect place{64, 64, 160, 128};
+    UiDriver driver(kWidth, kHeight, [&](const ui::Ui&) {
+        ImGui::GetWindowDrawList()->AddImage(ui::imgui_texture(name), {64.0F, 64.0F},
+                                             {224.0F, 192.0F});
+    });
+    for (GLuint other = 2; other < 6; ++other) {
+        for (std::uint64_t before = 1; before < 8; ++before) {
+            for (std::uint64_t after = 1; after < 8; ++after) {
+                ui::Damage damage([&](ImTextureID) { return version; }, {});
+                name = 1;
+                version = before;
+                driver.frame();
+                (void)damage.next(*ImGui::GetDrawData());
+                name = other;
+                version = after;
+                driver.frame();
+                const auto pieces = damage.next(*ImGui::GetDrawData());
+                ASSERT_EQ(pieces.size(), 1U) << other << ", " << before << " and " << after;
+                EXPECT_TRUE(place.inside(pieces[0].rect));
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace gripscan::test

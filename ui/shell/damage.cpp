@@ -185,8 +185,9 @@ std::vector<Piece> Damage::next(const ImDrawData& frame) {
             if (own) ++picture;
             ++number;
             const ImTextureID id = command.GetTexID();
+            // Names and versions are small numbers: each is spread before the other comes in.
             const std::uint64_t texture =
-                mixed(reinterpret_cast<std::uintptr_t>(id), own ? 0 : version_of(id));
+                mixed(mixed(1, reinterpret_cast<std::uintptr_t>(id)), own ? 0 : version_of(id));
             add_command(list, command, frame.DisplayPos, texture, tiles);
         }
     }
