@@ -1,8 +1,10 @@
 #include "app/console.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cstdio>
+
+#include "app/standard_streams.h"
 
 namespace gripscan::app {
 
@@ -16,11 +18,11 @@ bool results_printed() {
 }
 
 void say(const Context& context, std::string_view text) {
-    if (!context.options.quiet) fmt::print(stderr, "gripscan: {}\n", text);
+    if (!context.options.quiet) tell_people(fmt::format("gripscan: {}\n", text));
 }
 
 ExitStatus report_error(const Error& error) {
-    fmt::print(stderr, "gripscan: {}\n", error.message);
+    tell_people(fmt::format("gripscan: {}\n", error.message));
     switch (error.kind) {
         case ErrorKind::kInput:
             return kWrongInput;

@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/help_formatter.h"
 #include "app/interrupt.h"
+#include "app/standard_streams.h"
 #ifdef GRIPSCAN_GUI
 #include "app/workstation/run_window.h"
 #endif
@@ -94,5 +95,6 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace gripscan::app
 
 int main(int argc, char** argv) {
+    gripscan::app::keep_standard_streams();
     return gripscan::app::parse_and_run(argc, argv);
 }

@@ -1,9 +1,9 @@
 #include "app/progress_bar.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include "app/standard_streams.h"
 
 namespace gripscan::app {
 namespace {
@@ -45,13 +45,12 @@ void ProgressBar::show(std::string_view stage, std::size_t done, std::size_t tot
     drawn_ = now;
     const std::size_t full = total > 0 ? kCells * std::min(done, total) / total : 0;
     const double seconds = std::chrono::duration<double>(now - began_).count();
-    fmt::print(stderr, "\r{:<18} [{:#<{}}{:.<{}}] {:>4}/{:<4} {:6.1f} s ", stage_, "", full, "",
-               kCells - full, done, total, seconds);
-    std::fflush(stderr);
+    tell_people(fmt::format("\r{:<18} [{:#<{}}{:.<{}}] {:>4}/{:<4} {:6.1f} s ", stage_, "", full,
+                            "", kCells - full, done, total, seconds));
 }
 
 void ProgressBar::end_line() {
-    if (!stage_.empty()) fmt::print(stderr, "\n");
+    if (!stage_.empty()) tell_people("\n");
     stage_.clear();
 }
 
