@@ -64,6 +64,19 @@ Result<AlignmentFile> load_alignment(const std::filesystem::path& path) {
     return file;
 }
 
+Result<Pose> load_standing_camera(const std::filesystem::path& path) {
+    if (is_cell_file(path)) {
+        return input_error(
+            "{} is a cell file; name the file that `gripscan calibrate robot` wrote, or write the "
+            "16 numbers of T_robot_camera themselves",
+            path.string());
+    }
+    const auto file = load_alignment(path);
+    if (!file) return forward_error(file.error());
+    if (file->T_robot_camera) return *file->T_robot_camera;
+    return input_error("{} is of a camera on the flange; here it must stand still", path.string());
+}
+
 Result<Pose> load_robot_camera(const std::filesystem::path& path) {
     if (is_cell_file(path)) {
         const auto cell = load_cell_file(path);
@@ -72,10 +85,7 @@ Result<Pose> load_robot_camera(const std::filesystem::path& path) {
         return input_error("the cell file {} does not say where the camera stands (alignment)",
                            path.string());
     }
-    const auto file = load_alignment(path);
-    if (!file) return forward_error(file.error());
-    if (file->T_robot_camera) return *file->T_robot_camera;
-    return input_error("{} is of a camera on the flange; here it must stand still", path.string());
+    return load_standing_camera(path);
 }
 
 }  // namespace gripscan

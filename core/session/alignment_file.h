@@ -36,6 +36,10 @@ struct AlignmentFile {
 /// of T_robot_camera and T_flange_camera must be there; everything else may be missing.
 [[nodiscard]] Result<AlignmentFile> load_alignment(const std::filesystem::path& path);
 
+/// T_robot_camera of an alignment file and of nothing else: a cell file that names one must not
+/// lead to a cell file again. Errors: as above, a camera on the flange, a cell file.
+[[nodiscard]] Result<Pose> load_standing_camera(const std::filesystem::path& path);
+
 /// T_robot_camera of an alignment file or a cell file. Errors: as above, a camera on the flange, a
 /// cell file that does not say it.
 [[nodiscard]] Result<Pose> load_robot_camera(const std::filesystem::path& path);

@@ -82,7 +82,7 @@ fs::path read_path(StrictYaml& yaml, std::string_view key, const fs::path& file)
 /// The 16 numbers, or the file that `calibrate robot` wrote.
 std::optional<Pose> read_alignment(StrictYaml& yaml, const fs::path& file) {
     if (!yaml.holds_text("alignment")) return read_pose(yaml, "alignment");
-    const auto pose = load_robot_camera(read_path(yaml, "alignment", file));
+    const auto pose = load_standing_camera(read_path(yaml, "alignment", file));
     if (pose) return *pose;
     yaml.fail("alignment", "cannot be used: " + pose.error().message);
     return std::nullopt;

@@ -8,6 +8,9 @@
 namespace gripscan {
 namespace {
 
+constexpr double kLeastHint = 1e-9;
+constexpr double kMostHint = 1e9;
+
 void read_positive(StrictYaml& yaml, std::string_view key, double& value, double most) {
     const auto number = yaml.number(key);
     if (!number) return;
@@ -55,8 +58,11 @@ std::optional<Box> read_region(StrictYaml& yaml) {
 std::optional<Eigen::Vector3d> read_axis_hint(StrictYaml& yaml) {
     const auto hint = yaml.vector3("axis_hint");
     if (!hint) return std::nullopt;
-    if (hint->norm() < 1e-9) {
-        yaml.fail("axis_hint", "must be a direction, not zero");
+    // Beyond these the squares of the components leave the range of numbers, and no direction is
+    // left.
+    if (!(hint->norm() >= kLeastHint && hint->norm() <= kMostHint)) {
+        yaml.fail("axis_hint", fmt::format("must be a direction, of a length from {} to {}",
+                                           kLeastHint, kMostHint));
         return std::nullopt;
     }
     return hint->normalized();

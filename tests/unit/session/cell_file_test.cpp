@@ -136,5 +136,33 @@ TEST(CellFile, TakesTheAlignmentFromItsFile) {
     EXPECT_THAT(absent.error().message, testing::HasSubstr("nothing.yaml"));
 }
 
+TEST(CellFile, ACellFileIsNoAlignment) {
+    const test::TemporaryFolder folder;
+    test::write_text(folder / "cell.yaml", "format: gripscan-cell/1\nalignment: cell.yaml\n");
+    test::write_text(folder / "other.yaml", "format: gripscan-cell/1\nalignment: cell.yaml\n");
+    for (const auto* name : {"cell.yaml", "other.yaml"}) {
+        const auto cell = load_cell_file(folder / name);
+        ASSERT_FALSE(cell);
+        EXPECT_THAT(cell.error().message, HasSubstr(std::string(name) + ":2: alignment"));
+        EXPECT_THAT(cell.error().message, HasSubstr("is a cell file"));
+        EXPECT_FALSE(load_robot_camera(folder / name));
+    }
+}
+
+TEST(CellFile, AnAxisHintOfAnyLengthIsADirectionOrRefused) {
+    const test::TemporaryFolder folder;
+    const auto hint = [&](const std::string& numbers) {
+        test::write_text(folder / "cell.yaml",
+                         "format: gripscan-cell/1\naxis_hint: " + numbers + "\n");
+        return load_cell_file(folder / "cell.yaml");
+    };
+    EXPECT_NEAR(hint("[3e5, 4e5, 0]")->axis_hint->norm(), 1.0, 1e-12);
+    for (const auto* numbers : {"[0, 0, 0]", "[1e200, 1e200, 0]", "[1e-200, 0, 0]"}) {
+        const auto refused = hint(numbers);
+        ASSERT_FALSE(refused) << numbers;
+        EXPECT_THAT(refused.error().message, HasSubstr("axis_hint must be a direction"));
+    }
+}
+
 }  // namespace
 }  // namespace gripscan
