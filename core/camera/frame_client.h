@@ -20,9 +20,9 @@ struct FrameClientSettings {
 /// Not for several threads at once. A lost connection is opened again by the next grab().
 class FrameClient : public StereoSource {
   public:
-    /// Connects and asks for the description.
+    /// Connects and asks for the description. A stop request ends the waiting (cancelled).
     [[nodiscard]] static Result<std::unique_ptr<FrameClient>> connect(
-        const FrameClientSettings& settings);
+        const FrameClientSettings& settings, const std::stop_token& stop = {});
     ~FrameClient() override;
 
     [[nodiscard]] Result<StereoFrame> grab(const FrameRequest& request) override;
@@ -31,9 +31,11 @@ class FrameClient : public StereoSource {
   private:
     struct Link;
     explicit FrameClient(const FrameClientSettings& settings);
-    [[nodiscard]] Status open();
+    [[nodiscard]] Status open(const std::stop_token& stop);
     template <typename Answer>
-    [[nodiscard]] Result<Answer> ask(const frames::Message& question);
+    [[nodiscard]] Result<Answer> ask(const frames::Message& question, const std::stop_token& stop);
+    [[nodiscard]] TcpResult<frames::Message> exchange(const frames::Message& question,
+                                                      const std::stop_token& stop);
 
     FrameClientSettings settings_;
     frames::Description description_;

@@ -59,6 +59,11 @@ int milliseconds_until(Deadline deadline) {
 
 }  // namespace
 
+std::string place_of(const std::string& host, std::uint16_t port) {
+    const bool v6 = host.find(':') != std::string::npos;
+    return v6 ? fmt::format("[{}]:{}", host, port) : fmt::format("{}:{}", host, port);
+}
+
 struct TcpConnection::Impl {
     asio::io_context io;
     tcp::socket socket{io};
@@ -106,7 +111,7 @@ TcpConnection::~TcpConnection() = default;
 TcpResult<TcpConnection> TcpConnection::connect(const std::string& host, std::uint16_t port,
                                                 Deadline deadline, const std::stop_token& stop) {
     auto impl = std::make_unique<Impl>();
-    impl->peer = fmt::format("{}:{}", host, port);
+    impl->peer = place_of(host, port);
     const auto endpoints = endpoints_of(impl->io, host, port);
     if (!endpoints) return tl::unexpected<TcpError>(endpoints.error());
     asio::error_code error = asio::error::would_block;

@@ -18,6 +18,9 @@ using Deadline = std::chrono::steady_clock::time_point;
     return std::chrono::steady_clock::now() + time;
 }
 
+/// "host:port"; an IPv6 address stands in brackets.
+[[nodiscard]] std::string place_of(const std::string& host, std::uint16_t port);
+
 enum class TcpFault {
     kAddress,  ///< no such host, or no address of this machine
     kRefused,  ///< nobody listens there, or the port is taken

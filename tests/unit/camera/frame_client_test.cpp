@@ -45,6 +45,25 @@ std::string outcome(std::chrono::milliseconds busy, std::chrono::milliseconds an
     return client ? "connected" : client.error().message;
 }
 
+/// The error of a client that is told to stop before or while it waits for `listener`.
+Error stopped(TcpListener& listener, std::chrono::milliseconds after, bool greets) {
+    std::stop_source stop;
+    const std::jthread operator_([&] {
+        auto client = listener.accept({}, deadline_in(10s));
+        if (!client) return;
+        frames::FrameChannel channel(std::move(*client));
+        if (greets) (void)channel.write(frames::Greeting{}, deadline_in(10s));
+        std::this_thread::sleep_for(after);
+        stop.request_stop();
+        (void)channel.read(deadline_in(10s));  // the client goes
+        (void)channel.read(deadline_in(10s));
+    });
+    FrameClientSettings settings;
+    settings.port = listener.port();
+    const auto client = FrameClient::connect(settings, stop.get_token());
+    return client ? Error{ErrorKind::kRejected, "connected"} : client.error();
+}
+
 /// A program that was killed while it waited for a picture leaves the server at work on it.
 TEST(FrameClient, WaitsForAServerThatIsStillBusyForSomeoneElse) {
     EXPECT_THAT(outcome(800ms, 20s), HasSubstr("the lens cap is on"));
@@ -52,6 +71,16 @@ TEST(FrameClient, WaitsForAServerThatIsStillBusyForSomeoneElse) {
 
 TEST(FrameClient, SaysThatNobodyGreets) {
     EXPECT_THAT(outcome(600ms, 100ms), HasSubstr("does not greet"));
+}
+
+/// It waits half a minute otherwise.
+TEST(FrameClient, AStopRequestEndsTheWaiting) {
+    TcpListener listener = TcpListener::open(0).value();
+    for (const bool greets : {false, true}) {
+        const auto begin = std::chrono::steady_clock::now();
+        EXPECT_EQ(stopped(listener, 100ms, greets).kind, ErrorKind::kCancelled) << greets;
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, 15s) << greets;
+    }
 }
 
 }  // namespace
