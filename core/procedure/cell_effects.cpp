@@ -91,12 +91,13 @@ Result<CellReport> CellEffects::checked(const ProcedureState& state, const WarmU
                              .warm_up = views,
                              .settle_s = cell_.exposure.settle_s,
                              .compute_s = std::nullopt};
-    const CellFacts facts = measure_cell(cell, progress, for_each_);
-    if (facts.link && !facts.link->answers) {
+    const auto facts = measure_cell(cell, progress, for_each_);
+    if (!facts) return forward_error(facts.error());
+    if (facts->link && !facts->link->answers) {
         return device_error("the robot stopped answering during the cell check: {}",
-                            facts.link->trouble);
+                            facts->link->trouble);
     }
-    return assess(facts, state.plan);
+    return assess(*facts, state.plan);
 }
 
 Event CellEffects::expose_shot(const Shot& shot, const Progress& progress) {

@@ -66,7 +66,7 @@ class CellEffects : public EffectRunner {
     /// Everything used, loaded and prepared, that is not there yet.
     [[nodiscard]] Status prepare(const std::vector<RecordedCapture>& captures,
                                  const Progress& progress);
-    /// Errors: the robot stopped answering, so that there is nothing to assess.
+    /// Errors: robot or camera stopped answering, so that there is nothing to assess.
     [[nodiscard]] Result<CellReport> checked(const ProcedureState& state, const WarmUpAxis& warm_up,
                                              const Progress& progress);
 

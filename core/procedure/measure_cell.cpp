@@ -112,26 +112,43 @@ void look_around(const CellUnderTest& cell, const RectifiedRig& rig, const Stere
     facts.sweep = swept_room(view->cloud, scene->cloud, *cell.region, cell.axis->axis);
 }
 
-void look(const CellUnderTest& cell, const Progress& progress, const ForEach& for_each,
-          CellFacts& facts) {
-    if (!cell.region) {
-        facts.volume = unknown("no registration area is set");
-        return blind(facts, "no registration area is set");
-    }
-    const auto rectifier = Rectifier::create(cell.rig);
-    if (!rectifier) return blind(facts, rectifier.error().message);
-    facts.volume = region_in_view(*cell.region, rectifier->rig());
-    if (facts.volume->margin_px < 0.0 || !facts.volume->can_be_matched) {
-        return blind(facts, "the cameras do not see the whole region");
-    }
+/// Of the whole region, from the picture that `cell` gives of it.
+Status look_at_region(const CellUnderTest& cell, const Rectifier& rectifier,
+                      const Progress& progress, const ForEach& for_each, CellFacts& facts) {
     const auto start = Clock::now();
     const auto frame = cell.source.grab({-1, 1, 0});
     const double exposure_s = seconds_since(start);
-    if (!frame) return blind(facts, frame.error().message);
-    const auto rectified = rectifier->rectify(*frame);
-    if (!rectified) return blind(facts, rectified.error().message);
-    look_around(cell, rectifier->rig(), *rectified, progress, for_each, facts);
+    if (!frame && frame.error().kind == ErrorKind::kDevice) {
+        return device_error("the camera gave no picture for the cell check: {}",
+                            frame.error().message);
+    }
+    const auto rectified = frame ? rectifier.rectify(*frame) : frame;
+    if (!rectified) {
+        blind(facts, rectified.error().message);
+        return {};
+    }
+    look_around(cell, rectifier.rig(), *rectified, progress, for_each, facts);
     if (facts.image) facts.image->exposure_s = exposure_s;
+    return {};
+}
+
+Status look(const CellUnderTest& cell, const Progress& progress, const ForEach& for_each,
+            CellFacts& facts) {
+    std::string why;
+    if (!cell.region) {
+        why = "no registration area is set";
+        facts.volume = unknown(why);
+    } else if (const auto rectifier = Rectifier::create(cell.rig); !rectifier) {
+        why = rectifier.error().message;
+    } else {
+        facts.volume = region_in_view(*cell.region, rectifier->rig());
+        if (facts.volume->margin_px >= 0.0 && facts.volume->can_be_matched) {
+            return look_at_region(cell, *rectifier, progress, for_each, facts);
+        }
+        why = "the cameras do not see the whole region";
+    }
+    blind(facts, why);
+    return {};
 }
 
 /// Between the views that are furthest apart in angle.
@@ -157,8 +174,8 @@ void measure_wrist(const CellUnderTest& cell, CellFacts& facts) {
 
 }  // namespace
 
-CellFacts measure_cell(const CellUnderTest& cell, const Progress& progress,
-                       const ForEach& for_each) {
+Result<CellFacts> measure_cell(const CellUnderTest& cell, const Progress& progress,
+                               const ForEach& for_each) {
     CellFacts facts;
     if (cell.robot != nullptr) {
         ask_robot(*cell.robot, facts);
@@ -167,7 +184,9 @@ CellFacts measure_cell(const CellUnderTest& cell, const Progress& progress,
         facts.controller = unknown("no robot is read");
         facts.joints_rad = unknown("no robot is read");
     }
-    look(cell, progress, for_each, facts);
+    if (Status seen = look(cell, progress, for_each, facts); !seen) {
+        return forward_error(seen.error());
+    }
     compare_warm_up(cell, facts);
     measure_wrist(cell, facts);
     facts.disk = look_at_disk(cell);

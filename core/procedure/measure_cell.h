@@ -38,7 +38,8 @@ struct CellUnderTest {
 };
 
 /// Whatever cannot be measured is a fact with its reason. Takes some seconds; the arm is not moved.
-[[nodiscard]] CellFacts measure_cell(const CellUnderTest& cell, const Progress& progress,
-                                     const ForEach& for_each);
+/// Errors (device): the camera gives no picture, so that nothing can be said of the cell.
+[[nodiscard]] Result<CellFacts> measure_cell(const CellUnderTest& cell, const Progress& progress,
+                                             const ForEach& for_each);
 
 }  // namespace gripscan

@@ -116,7 +116,7 @@ CellReport CellBench::check() {
                              .warm_up = views_,
                              .settle_s = 0.3,
                              .compute_s = {}};
-    return assess(measure_cell(cell, {}, pool_.for_each()), plan, limits);
+    return assess(measure_cell(cell, {}, pool_.for_each()).value(), plan, limits);
 }
 
 std::vector<std::string> failed_items(const CellReport& report) {
