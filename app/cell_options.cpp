@@ -1,6 +1,7 @@
 #include "app/cell_options.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/number_checks.h"
 #include "core/base/number_text.h"
@@ -30,6 +31,14 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
+/// A session may be resumed from another folder than the one it was begun from.
+std::string remembered_cell(const CellOptions& options) {
+    if (options.simulated()) return options.cell;
+    std::error_code code;
+    const auto path = std::filesystem::absolute(options.cell, code);
+    return code ? options.cell : path.lexically_normal().string();
+}
+
 }  // namespace
 
 MotionMode CellOptions::mode() const {
@@ -55,7 +64,7 @@ void add_cell_options(CLI::App& command, CellOptions& options) {
                      "No motion rights: turn the joint with the pendant, gripscan reads the angle "
                      "or is told");
     command.add_option("--seed", options.seed, "Of the simulated cell (1)")
-        ->check(unsigned_number())
+        ->transform(unsigned_number())
         ->option_text("N");
     command.add_option("--gripper-model", options.gripper_model, "Simulated gripper")
         ->check(CLI::IsMember(sim_grippers()))
@@ -90,7 +99,7 @@ Status check(const CellOptions& options) {
 }
 
 JournalFields journal_fields(const CellOptions& options) {
-    JournalFields fields{{"cell", options.cell},
+    JournalFields fields{{"cell", remembered_cell(options)},
                          {"mode", std::string(word(options.mode()))},
                          {"step_deg", text_from_number(options.step_deg)},
                          {"seed", fmt::format("{}", options.seed)},

@@ -1,5 +1,6 @@
 #include "app/cell_out.h"
 
+#include "app/console.h"
 #include "core/session/cell_file.h"
 #include "core/stereo/rig_file.h"
 
@@ -33,6 +34,14 @@ Status write_cell_files(const SimCell& cell, const std::filesystem::path& folder
     const auto rig = folder / "rig.yaml";
     if (Status s = save_rig(rig, cell.rig()); !s) return s;
     return save_cell_file(folder / "cell.yaml", cell_file_of(cell, rig));
+}
+
+Status write_truth(const SimCell& cell, const std::filesystem::path& folder,
+                   const Context& context) {
+    if (cell.has_truth()) return cell.write_truth(folder);
+    say(context,
+        fmt::format("no picture was taken, so there is no truth to write to {}", folder.string()));
+    return {};
 }
 
 }  // namespace gripscan::app

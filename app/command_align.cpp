@@ -114,7 +114,7 @@ void add_align(const CommandLine& line) {
         ->check(CLI::Range(-180.0, 180.0))
         ->option_text("A");
     command->add_option("--seed", options->seed, "Of the perturbed starts (1)")
-        ->check(unsigned_number())
+        ->transform(unsigned_number())
         ->option_text("N");
     add_method_options(*command, options->method, options->icp);
     add_common_options(*command, line.common);

@@ -126,7 +126,7 @@ void add_exam(const CommandLine& line) {
         ->check(CLI::Range(1, 360))
         ->option_text("N");
     command->add_option("--angle-seed", options->drive.seed, "With --drive: of the angles (1)")
-        ->check(unsigned_number())
+        ->transform(unsigned_number())
         ->option_text("N");
     command->add_option("--limit-deg", options->limit_deg, "Largest error in rotation (1)")
         ->check(finite_number())

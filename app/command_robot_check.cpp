@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "core/concurrency/tcp_connection.h"
 #include "core/robot/robot_conformance.h"
 
 namespace gripscan::app {
@@ -22,6 +23,11 @@ Result<std::pair<std::string, std::uint16_t>> host_and_port(const std::string& t
     const auto colon = text.rfind(':');
     const bool bracketed = text.starts_with('[');
     const auto closing = text.rfind(']');
+    const bool closed = closing + 1 == text.size() || closing + 1 == colon;
+    if (bracketed && (closing == std::string::npos || !closed)) {
+        return input_error("'{}' is no address; give one of IPv6 as [ADDRESS] or [ADDRESS]:PORT",
+                           text);
+    }
     const bool has_port =
         colon != std::string::npos && (bracketed ? colon == closing + 1 : text.find(':') == colon);
     std::string host = has_port ? text.substr(0, colon) : text;
@@ -92,8 +98,8 @@ Result<ExitStatus> robot_check(const RobotCheckOptions& options, const Context& 
     if (!report) return forward_error(report.error());
     if (context.options.json) print_result(json_of(*settings, *report));
     if (report->conforms()) return kDone;
-    say(context, fmt::format("the controller at {}:{} does not conform to {}", settings->host,
-                             settings->motion_port, gsp::kVersionText));
+    say(context, fmt::format("the controller at {} does not conform to {}",
+                             place_of(settings->host, settings->motion_port), gsp::kVersionText));
     return kNotTrusted;
 }
 

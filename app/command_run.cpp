@@ -1,9 +1,11 @@
 #include <memory>
 
 #include "app/cell_options.h"
+#include "app/cell_out.h"
 #include "app/command_run_environment.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/shell_text.h"
 #include "app/threads.h"
 #include "app/turn_driver.h"
 #include "app/turn_run.h"
@@ -15,6 +17,7 @@ namespace fs = std::filesystem;
 
 struct RunOptions {
     CellOptions cell;
+    GivenOptions given;
     std::string out;
     std::string truth;
     std::string gripper;  ///< of an object's turn
@@ -23,13 +26,28 @@ struct RunOptions {
     TurnOptions turn;
 };
 
-/// There has to be something to go on with: a mistyped folder shall not begin a turn.
+/// There has to be something to go on with: a mistyped folder shall not begin a turn. A run that
+/// was killed early has left its lock there at least.
 Status check_resumed(const RunOptions& options) {
     std::error_code code;
-    if (std::filesystem::exists(options.out, code)) return {};
+    if (fs::exists(options.out, code) && !fs::is_empty(options.out, code)) return {};
     return input_error(
         "there is no session at {} to resume; without --resume a new one begins there",
         options.out);
+}
+
+/// A session is resumed by the command that began it. One whose description cannot be read is
+/// refused later, with the reason.
+Status check_kind(const RunOptions& options, std::string_view what) {
+    if (!options.resume) return {};
+    const auto spec = read_session_spec(fs::path(options.out) / "session.yaml");
+    if (!spec || word(spec->kind) == what) return {};
+    if (spec->kind != SessionKind::kGripper && spec->kind != SessionKind::kObject) {
+        return input_error("{} is a session of kind {}, which is not resumed", options.out,
+                           word(spec->kind));
+    }
+    return input_error("{} is a session of kind {}; go on with: gripscan run {} --resume --out {}",
+                       options.out, word(spec->kind), word(spec->kind), shell_word(options.out));
 }
 
 Status check_run(const RunOptions& options) {
@@ -61,7 +79,7 @@ Status check_run(const RunOptions& options) {
 Result<ExitStatus> finish(TurnRun& run, const DrivenTurn& driven, const RunOptions& options,
                           const Context& context) {
     if (!options.truth.empty()) {
-        if (Status s = run.cell().simulated->write_truth(options.truth); !s) {
+        if (Status s = write_truth(*run.cell().simulated, options.truth, context); !s) {
             return forward_error(s.error());
         }
     }
@@ -83,7 +101,9 @@ Result<ExitStatus> finish(TurnRun& run, const DrivenTurn& driven, const RunOptio
 Result<ExitStatus> run_turn(const RunOptions& options, std::string_view what,
                             const Context& context) {
     if (Status sensible = check_run(options); !sensible) return forward_error(sensible.error());
+    if (Status same = check_kind(options, what); !same) return forward_error(same.error());
     TurnRunOptions run_options{.cell = options.cell,
+                               .given = options.given,
                                .out = options.out,
                                .gripper = options.gripper,
                                .environment = options.environment,
@@ -98,7 +118,7 @@ Result<ExitStatus> run_turn(const RunOptions& options, std::string_view what,
     if (!driven) {
         say(context, fmt::format("what was recorded lies in {}; go on with: gripscan run {} "
                                  "--resume --out {}{}",
-                                 options.out, what, options.out,
+                                 options.out, what, shell_word(options.out),
                                  (*run)->cell_options().live ? " --live" : ""));
         return forward_error(driven.error());
     }
@@ -157,7 +177,8 @@ void add_run_object(CLI::App& run, const CommandLine& line) {
         "--live\n"
         "\n"
         "No verdict and no stop of gripscan is a safety function.");
-    command->callback([options, &action = line.action] {
+    command->callback([command, options, &action = line.action] {
+        options->given = given_cell_options(*command);
         action = [options](const Context& context) { return run_object(*options, context); };
     });
 }
@@ -178,7 +199,8 @@ void add_run(const CommandLine& line) {
         "  gripscan run gripper --cell cell.yaml --out tuesday --live\n"
         "\n"
         "No verdict and no stop of gripscan is a safety function.");
-    command->callback([options, &action = line.action] {
+    command->callback([command, options, &action = line.action] {
+        options->given = given_cell_options(*command);
         action = [options](const Context& context) {
             return run_turn(*options, "gripper", context);
         };

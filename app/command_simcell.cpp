@@ -54,7 +54,9 @@ Result<ExitStatus> serve(const SimcellOptions& options, const Context& context) 
     print_result(context.options.json ? json_of(*cell) : text_of(*cell));
     wait_for(context.stop);
     if (!options.truth.empty()) {
-        if (Status s = cell->write_truth(options.truth); !s) return forward_error(s.error());
+        if (Status s = write_truth(*cell, options.truth, context); !s) {
+            return forward_error(s.error());
+        }
     }
     return kDone;
 }
@@ -81,7 +83,7 @@ void add_simcell(const CommandLine& line) {
         ->check(CLI::Range(0, 65533))
         ->option_text("P");
     command->add_option("--seed", options->cell.seed, "Of the cell (1)")
-        ->check(unsigned_number())
+        ->transform(unsigned_number())
         ->option_text("N");
     command
         ->add_option("--fault", options->cell.faults,

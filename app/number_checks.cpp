@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace gripscan::app {
 
@@ -17,8 +20,18 @@ CLI::Validator finite_number() {
 
 CLI::Validator unsigned_number() {
     const auto problem = [](std::string& text) -> std::string {
-        if (!text.empty() && text.find_first_not_of("0123456789") == std::string::npos) return {};
-        return fmt::format("'{}' is not a whole number from 0 on", text);
+        std::uint64_t number = 0;
+        const char* end = text.data() + text.size();
+        const auto read = std::from_chars(text.data(), end, number);
+        if (read.ptr != end || read.ec == std::errc::invalid_argument) {
+            return fmt::format("'{}' is not a whole number from 0 on", text);
+        }
+        if (read.ec != std::errc{}) {
+            return fmt::format("'{}' is too large, at most {} can be given", text,
+                               std::numeric_limits<std::uint64_t>::max());
+        }
+        text = fmt::format("{}", number);
+        return {};
     };
     return {problem, ""};
 }

@@ -9,7 +9,8 @@ namespace gripscan::app {
 
 /// A finite decimal number.
 [[nodiscard]] CLI::Validator finite_number();
-/// A whole number without a sign.
+/// A whole number without a sign, to be given to transform(): it is rewritten without the leading
+/// zeros that would make it octal to CLI11, which also takes what is too large for the largest.
 [[nodiscard]] CLI::Validator unsigned_number();
 
 }  // namespace gripscan::app

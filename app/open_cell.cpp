@@ -61,7 +61,7 @@ Result<std::unique_ptr<RobotLink>> open_robot(const CellFile& file, const CellOp
     return link_to(std::move(link), !options.manual);
 }
 
-Result<Cell> open_real(const CellOptions& options) {
+Result<Cell> open_real(const CellOptions& options, const std::stop_token& stop) {
     const auto file = load_cell_file(options.cell);
     if (!file) return forward_error(file.error());
     if (!file->camera) return input_error("{} names no camera", options.cell);
@@ -76,7 +76,7 @@ Result<Cell> open_real(const CellOptions& options) {
     FrameClientSettings frames;
     frames.host = file->camera->host;
     frames.port = static_cast<std::uint16_t>(file->camera->port);
-    auto camera = FrameClient::connect(frames);
+    auto camera = FrameClient::connect(frames, stop);
     if (!camera) return forward_error(camera.error());
     cell.own_camera = std::move(*camera);
     cell.camera = cell.own_camera.get();
@@ -92,9 +92,9 @@ Result<Cell> open_real(const CellOptions& options) {
 
 }  // namespace
 
-Result<Cell> open_cell(const CellOptions& options) {
+Result<Cell> open_cell(const CellOptions& options, const std::stop_token& stop) {
     if (Status sensible = check(options); !sensible) return forward_error(sensible.error());
-    return options.simulated() ? open_simulated(options) : open_real(options);
+    return options.simulated() ? open_simulated(options) : open_real(options, stop);
 }
 
 }  // namespace gripscan::app

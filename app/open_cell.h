@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "app/cell_options.h"
 #include "core/camera/stereo_source.h"
@@ -29,6 +30,7 @@ struct Cell {
     double settle_s = 0.3;
 };
 
-[[nodiscard]] Result<Cell> open_cell(const CellOptions& options);
+/// Connects the camera; a stop request ends the waiting for it (cancelled).
+[[nodiscard]] Result<Cell> open_cell(const CellOptions& options, const std::stop_token& stop);
 
 }  // namespace gripscan::app

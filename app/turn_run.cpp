@@ -1,6 +1,5 @@
 #include "app/turn_run.h"
 
-#include "app/resumed_cell.h"
 #include "app/session_settings.h"
 #include "core/procedure/region_stillness.h"
 #include "core/report/gripper_template_file.h"
@@ -10,8 +9,8 @@ namespace gripscan::app {
 namespace {
 
 /// Begins the session. What it needs from elsewhere is looked at before anything is made: a
-/// template or an environment that cannot be used is the likeliest mistake.
-Result<TurnSession> begin(const TurnRunOptions& options, Cell& cell) {
+/// template, an environment or a region that cannot be used is the likeliest mistake.
+Result<TurnSession> begin(const TurnRunOptions& options, Cell& cell, const std::stop_token& stop) {
     std::optional<std::string> gripper;
     if (!options.gripper.empty()) {
         gripper = name_of_template(options.out, options.gripper);
@@ -24,9 +23,12 @@ Result<TurnSession> begin(const TurnRunOptions& options, Cell& cell) {
         if (!loaded) return forward_error(loaded.error());
         environment = std::move(*loaded);
     }
-    auto opened = open_cell(options.cell);
+    auto opened = open_cell(options.cell, stop);
     if (!opened) return forward_error(opened.error());
     cell = std::move(*opened);
+    if (auto seen = region_stillness(cell.rig, cell.region); !seen) {
+        return input_error("{}: {}", options.cell.cell, seen.error().message);
+    }
     auto session = begin_session(options.out, options.cell, cell, gripper);
     if (!session || !environment) return session;
     Status kept = keep_environment(options.out, *environment);
@@ -74,19 +76,23 @@ Result<std::unique_ptr<TurnRun>> TurnRun::open(const TurnRunOptions& options,
     std::unique_ptr<TurnRun> run;
     if (!options.resume || is_fresh_session(options.out)) {
         Cell cell;
-        auto session = begin(options, cell);
+        auto session = begin(options, cell, stop);
         if (!session) return forward_error(session.error());
         run.reset(new TurnRun(std::move(cell), std::move(*session), options.cell, false));
     } else {
         auto remembered = remember_session(options.out);
         if (!remembered) return forward_error(remembered.error());
-        auto resumed = options.in_its_mode ? Result<CellOptions>(remembered->options)
-                                           : resumed_cell(remembered->options, options.cell);
+        auto resumed = options.in_its_mode
+                           ? Result<CellOptions>(remembered->options)
+                           : resumed_cell(remembered->options, options.cell, options.given);
         if (!resumed) {
             return input_error("{}: {}", options.out.string(), resumed.error().message);
         }
         const CellOptions cell_options = std::move(*resumed);
-        auto cell = open_cell(cell_options);
+        if (Status there = check_cell_file(options.out, cell_options); !there) {
+            return forward_error(there.error());
+        }
+        auto cell = open_cell(cell_options, stop);
         if (!cell) return forward_error(cell.error());
         run.reset(new TurnRun(std::move(*cell),
                               TurnSession{std::move(remembered->store), std::move(remembered->spec),

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/resumed_cell.h"
 #include "app/run_results.h"
 #include "app/turn_session.h"
 #include "core/camera/shared_source.h"
@@ -17,6 +18,7 @@ namespace gripscan::app {
 
 struct TurnRunOptions {
     CellOptions cell;
+    GivenOptions given;         ///< of the options of the cell: those of a command line
     std::filesystem::path out;  ///< the session folder
     /// Of an object's turn that begins: the template of the gripper that holds it, or the session
     /// that it was registered in. Empty: the gripper's own turn.

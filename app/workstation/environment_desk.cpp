@@ -20,7 +20,7 @@ Result<EnvironmentModel> learned(CellOptions options, const fs::path& folder,
     options.manual = !options.simulated();  // nothing is moved
     options.live = false;
     options.object.clear();
-    auto cell = open_cell(options);
+    auto cell = open_cell(options, progress.stop);
     if (!cell) return forward_error(cell.error());
     {
         auto store = begin_environment(folder, options, *cell, false);

@@ -32,12 +32,14 @@ class ProbeLink {
     /// Connects anew, without a HELLO.
     [[nodiscard]] TcpResult<void> open();
     void close() { channel_.reset(); }
-    [[nodiscard]] std::string peer() const { return fmt::format("{}:{}", settings_.host, port_); }
+    [[nodiscard]] std::string peer() const { return place_of(settings_.host, port_); }
 
     /// Opens the connection first where it is closed, as ask() does.
     void send(std::string_view bytes);
     void send_line(std::string_view line);
     [[nodiscard]] tl::expected<std::string, NoLine> next(std::chrono::milliseconds limit);
+    /// What has come of a line without its end.
+    [[nodiscard]] std::string pending() const { return channel_ ? channel_->pending() : ""; }
 
     /// Sends a line; the reply to it, as text.
     [[nodiscard]] std::string ask(std::string_view line);

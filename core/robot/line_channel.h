@@ -18,6 +18,9 @@ class LineChannel {
     /// The next item that has come whole.
     [[nodiscard]] TcpResult<FramedItem> read(Deadline deadline);
 
+    /// What has come of a line without its end.
+    [[nodiscard]] const std::string& pending() const { return framer_.pending(); }
+
     void close() { connection_.close(); }
     [[nodiscard]] TcpConnection& connection() { return connection_; }
 

@@ -35,8 +35,8 @@ class LineFramer {
     std::optional<FramedItem> next();
     /// No whole item is there.
     [[nodiscard]] bool empty() const { return items_.empty(); }
-    /// Bytes of a line whose end has not come.
-    [[nodiscard]] std::size_t pending() const { return line_.size(); }
+    /// Of a line whose end has not come.
+    [[nodiscard]] const std::string& pending() const { return line_; }
 
   private:
     void end_line();

@@ -21,16 +21,30 @@ bool must_pass(std::string_view name) {
     return name == "move.ready" || name == "move.ids";
 }
 
-/// A server has room for one client: it takes the connection of another, and does not answer.
+/// What has come instead of a reply of GSP/1, as one line; empty: nothing, or a reply.
+std::string other_greeting(const ProbeLink& link, const tl::expected<std::string, NoLine>& line) {
+    if (line) return decode_reply(*line) ? "" : fmt::format("'{}'", one_line(*line));
+    if (line.error().kind == NoLine::Kind::kNonsense) return line.error().what;
+    const std::string part = link.pending();
+    return part.empty() ? "" : fmt::format("'{}' and no end of a line", one_line(part));
+}
+
+/// Is it the server of a controller, and free? It has room for one client: it takes the connection
+/// of another, and does not answer.
 Status check_free(ProbeLink& link, std::string_view name, std::chrono::milliseconds limit) {
     if (const auto opened = link.open(); !opened) {
         return device_error("{}; is the server on the controller started?", opened.error().message);
     }
     link.send_line(encode(Request(Hello{})));
     const auto line = link.next(limit);
+    if (const std::string other = other_greeting(link, line); !other.empty()) {
+        return device_error(
+            "{} ({}) is no server of {}: to HELLO it answers {}; give the port that the "
+            "controller's server listens at",
+            link.peer(), name, kVersionText, other);
+    }
     std::string seen = "refuses to talk: " + line.value_or("");
     if (!line) {
-        if (line.error().kind == NoLine::Kind::kNonsense) return {};
         seen = line.error().kind == NoLine::Kind::kSilence
                    ? fmt::format("does not answer HELLO within {} ms", limit.count())
                    : "closes it";

@@ -207,6 +207,10 @@ sim::Cabinet& SimCell::cabinet() {
     return impl_->cabinet;
 }
 
+bool SimCell::has_truth() const {
+    return !impl_->source->grabbed().empty();
+}
+
 Status SimCell::write_truth(const std::filesystem::path& folder) const {
     const sim::Moments captures = impl_->source->grabbed();
     return sim::write_truth_files({impl_->layout, impl_->model, impl_->region, captures}, folder,

@@ -33,10 +33,10 @@ struct SimCellSettings {
     /// Where joints 1 … 5 stand, deg; none: before the camera, as the registration wants them. The
     /// registration area stays where it is.
     std::optional<std::array<double, 5>> other_joints_deg = {};
-    double noise_levels = 2.0;           ///< standard deviation, of 255
-    double blur_px = 0.6;                ///< Gaussian sigma
-    double texture_contrast = 0.0;       ///< levels; 0: kSimTextureLevels
-    unsigned image_fraction = 1;         ///< 4: a quarter of the camera's pixels a side
+    double noise_levels = 2.0;      ///< standard deviation, of 255
+    double blur_px = 0.6;           ///< Gaussian sigma
+    double texture_contrast = 0.0;  ///< levels; 0: kSimTextureLevels
+    unsigned image_fraction = 1;    ///< 4: a quarter of the camera's pixels a side
 
     std::vector<std::string> faults = {};         ///< NAME[@STEP][=VALUE], see docs/faults.md
     double step_deg = 10.0;                       ///< by which the steps of the faults count
@@ -78,6 +78,8 @@ class SimCell {
     [[nodiscard]] StereoSource& source();
     /// The controller's own side, for what an operator does there: emergency stop, key switch.
     [[nodiscard]] sim::Cabinet& cabinet();
+    /// Was a capture grabbed, so that there is a truth to be written?
+    [[nodiscard]] bool has_truth() const;
     /// Writes truth.json (axis, rig, poses of the captures grabbed so far, in the camera frame),
     /// surface.ply (the true surface of gripper and object as a mesh) and visible.ply (points of it
     /// inside the region that both cameras have seen in at least one capture grabbed so far), both

@@ -82,7 +82,12 @@ Result<SearchArea> search_area(const RectifiedRig& rig, const std::optional<Box>
                                : round_up_to_16(range.high - area.min_disparity + 1.0);
     if (area.num_disparities < 16 || area.num_disparities > rig.image.width ||
         std::abs(area.min_disparity) >= rig.image.width) {
-        return input_error("disparities {} … {} px make no sense for images {} px wide",
+        const bool given = settings.min_disparity || settings.num_disparities;
+        const std::string cause =
+            region && !given ? fmt::format("the region, z {} … {} m, comes too near the cameras: ",
+                                           region->min_m.z(), region->max_m.z())
+                             : "";
+        return input_error("{}disparities {} … {} px make no sense for images {} px wide", cause,
                            area.min_disparity, area.min_disparity + area.num_disparities - 1,
                            rig.image.width);
     }

@@ -44,6 +44,12 @@ TEST_F(OddUse, ResultThatCannotBePrintedIsNoSuccess) {
     EXPECT_EQ(shell(here, "PROGRAM replay session --out out --json >/dev/null"), 0);
 }
 
+TEST_F(OddUse, AStandardErrorThatCannotBeWrittenIsNoEnd) {
+    const std::string here = folder_.path().string();
+    EXPECT_EQ(shell(here, "{ PROGRAM run gripper --cell nosuch --out u 2>/dev/full; }"), 2);
+    EXPECT_EQ(shell(here, "{ PROGRAM replay session --out out 2>&-; }"), 0);
+}
+
 TEST_F(OddUse, CurrentFolderIsNotReplaced) {
     fs::create_directories(folder_ / "here");
     EXPECT_EQ(shell((folder_ / "here").string(), "PROGRAM replay ../session --out ."), 2);
@@ -105,6 +111,7 @@ TEST_F(OddUse, NumbersThatAreNone) {
     const std::string out = (folder_ / "run").string();
     refused({"run", "gripper", "--out", out}, "--step-deg", "nan");
     refused({"run", "gripper", "--out", out}, "--seed", "-1");
+    refused({"run", "gripper", "--out", out}, "--seed", "99999999999999999999999");
     EXPECT_FALSE(fs::exists(folder_ / "run"));
 }
 

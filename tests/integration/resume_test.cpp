@@ -51,6 +51,14 @@ TEST(Resume, AKilledRunEndsWithTheTemplateOfAnUndisturbedOne) {
     const auto resumed = run_program({"run", "gripper", "--resume", "--out", session.string()});
     EXPECT_EQ(resumed.status, 0) << resumed.err;
     EXPECT_EQ(read_text(session / "results/template.pcd"), undisturbed_template());
+    // What it did not begin with is refused, also where it is the default.
+    for (const auto& other : std::vector<Arguments>{{"--step-deg", "10"}, {"--seed", "2"}}) {
+        Arguments contradicting{"run", "gripper", "--resume", "--out", session.string()};
+        contradicting.insert(contradicting.end(), other.begin(), other.end());
+        const auto refused = run_program(contradicting);
+        EXPECT_EQ(refused.status, 2) << other[0];
+        EXPECT_THAT(refused.err, HasSubstr(other[0]));
+    }
     // Once more: it is finished, and stays so.
     const auto again =
         run_program({"run", "gripper", "--resume", "--out", session.string(), "--json"});
@@ -110,6 +118,27 @@ TEST(Resume, NothingBeginsWhereThereIsNoSession) {
     EXPECT_FALSE(fs::exists(folder / "mistyped"));
 }
 
+TEST(Resume, AnEmptyFolderHoldsNoSession) {
+    const TemporaryFolder folder;
+    const auto resumed =
+        run_program({"run", "gripper", "--resume", "--out", folder.path().string()});
+    EXPECT_EQ(resumed.status, 2);
+    EXPECT_THAT(resumed.err, HasSubstr("no session at"));
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(Resume, AnotherKindIsSentToItsCommand) {
+    const TemporaryFolder folder;
+    const fs::path session = folder / "s";
+    (void)kill_program(turn(session), [&] { return fs::exists(session / "journal"); });
+    const auto before = content_of(session);
+    const auto resumed = run_program({"run", "object", "--resume", "--out", session.string()});
+    EXPECT_EQ(resumed.status, 2) << resumed.err;
+    EXPECT_THAT(resumed.err,
+                HasSubstr("gripscan run gripper --resume --out '" + session.string() + "'"));
+    EXPECT_EQ(content_of(session), before);
+}
+
 TEST(Resume, ASecondProcessOnTheSameSessionIsRefused) {
     const TemporaryFolder folder;
     const fs::path session = folder / "s";
@@ -121,7 +150,7 @@ TEST(Resume, ASecondProcessOnTheSameSessionIsRefused) {
         return true;
     });
     EXPECT_EQ(first.status, 4) << first.err;
-    EXPECT_THAT(first.err, HasSubstr("--resume"));
+    EXPECT_THAT(first.err, HasSubstr("--resume --out '" + session.string() + "'\n"));
 }
 
 TEST(DryRun, WritesTheMotionsDownAndMovesNothing) {

@@ -63,6 +63,18 @@ TEST(RobotCheck, NobodyThereIsStatusThree) {
     EXPECT_THAT(result.err, HasSubstr("localhost:" + std::to_string(port)));
 }
 
+TEST(RobotCheck, AnAddressThatIsNoneIsStatusTwo) {
+    for (const std::string address : {"[::1", "[::1]x", "[::1]:x", "[]"}) {
+        const auto result = run_program({"robot-check", address});
+        EXPECT_EQ(result.status, 2) << address << result.err;
+    }
+    std::uint16_t port = 0;
+    { port = TcpListener::open(0).value().port(); }
+    const auto result = run_program({"robot-check", "[::1]:" + std::to_string(port)});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(result.err, HasSubstr("[::1]:" + std::to_string(port)));
+}
+
 TEST(RobotCheck, APortThatAnotherClientHoldsIsStatusThreeWithOneMessage) {
     MockController controller;
     const auto holder = TcpConnection::connect("127.0.0.1", controller.motion_port(),

@@ -63,6 +63,18 @@ TEST(Simcell, ServesWhatItsFilesSayUntilItIsStopped) {
     EXPECT_TRUE(std::filesystem::exists(folder / "truth" / "truth.json"));
 }
 
+TEST(Simcell, WithoutAPictureThereIsNoTruthToWrite) {
+    const TemporaryFolder folder;
+    const auto truth = folder / "truth";
+    const ProgramResult result =
+        interrupt_program({"simcell", "--port", "0", "--cell-out", (folder / "cell").string(),
+                           "--truth", truth.string()},
+                          [&] { return std::filesystem::exists(folder / "cell" / "cell.yaml"); });
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.err, ::testing::HasSubstr("no picture was taken"));
+    EXPECT_FALSE(std::filesystem::exists(truth));
+}
+
 TEST(Simcell, ConformsAsTheProgramsOwnCheckSeesIt) {
     const TemporaryFolder folder;
     const auto cell_path = folder / "cell" / "cell.yaml";

@@ -86,9 +86,9 @@ for i in $(seq "$runs"); do
         wait "$pid" 2>/dev/null || true
         views=$(ls "$session/frames" 2>/dev/null | grep -c left || true)
         status=0
-        # Killed before it had a folder there is nothing to resume.
+        # Killed before it had anything in its folder there is nothing to resume.
         resume=(--resume)
-        [[ -e $session ]] || resume=()
+        [[ -n $(ls -A "$session" 2>/dev/null) ]] || resume=()
         "${call[@]}" "${resume[@]}" >"$session.resumed" 2>&1 || status=$?
         verdict=same
         cmp -s "$out/undisturbed/results/template.pcd" "$session/results/template.pcd" ||

@@ -114,6 +114,32 @@ TEST(RobotConformance, AControllerThatSaysItIsBusyIsAnErrorSoon) {
     EXPECT_THAT(report.error().message, HasSubstr("ERR 0 303 one client"));
 }
 
+/// Some other server: what it greets with is told, rather than that it is busy.
+TEST(RobotConformance, APortThatSpeaksSomethingElseIsToldWithWhatItSays) {
+    const auto told = [](const std::string& greeting) {
+        TcpListener listener = TcpListener::open(0).value();
+        const std::jthread server([&] {
+            auto client = listener.accept({}, deadline_in(std::chrono::seconds(10)));
+            if (!client) return;
+            (void)client->write(greeting, deadline_in(std::chrono::seconds(10)));
+            while (client->read_some(deadline_in(std::chrono::seconds(10)))) {
+            }
+        });
+        ConformanceSettings settings;
+        settings.motion_port = listener.port();
+        settings.reply_limit = milliseconds(300);
+        const auto report = check_conformance(settings, {}, {});
+        EXPECT_FALSE(report);
+        if (report) return std::string("conforms");
+        EXPECT_EQ(report.error().kind, ErrorKind::kDevice);
+        EXPECT_THAT(report.error().message, HasSubstr("no server of GSP/1"));
+        return report.error().message;
+    };
+    EXPECT_THAT(told("SSH-2.0-x\r\n"), HasSubstr("'SSH-2.0-x'"));
+    EXPECT_THAT(told(std::string("GSFP\0\1e", 7)), HasSubstr("'GSFP??e' and no end of a line"));
+    EXPECT_THAT(told("\xFF\xFB\x01"), HasSubstr("byte 0xFF"));
+}
+
 TEST(RobotConformance, AStopRequestEndsIt) {
     MockController controller;
     std::stop_source stop;

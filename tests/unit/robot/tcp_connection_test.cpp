@@ -36,6 +36,11 @@ TEST(TcpConnection, CarriesBytesBothWays) {
     EXPECT_EQ(pair.client.peer(), "127.0.0.1:" + std::to_string(pair.listener.port()));
 }
 
+TEST(TcpConnection, AnAddressWithColonsStandsInBrackets) {
+    EXPECT_EQ(place_of("robot.local", 18740), "robot.local:18740");
+    EXPECT_EQ(place_of("::1", 18740), "[::1]:18740");
+}
+
 TEST(TcpConnection, CarriesMoreThanTheSystemBuffers) {
     Pair pair;
     const std::string sent(8'000'000, 'x');

@@ -75,7 +75,7 @@ TEST(SessionSpec, SaysWhatIsWrongAndWhere) {
     EXPECT_THAT(problem("region: {min: [0, 0, 1], max: [1, 0, 2]}\n"), HasSubstr("is empty"));
     EXPECT_THAT(problem("region: {min: [0, 0], max: [1, 1, 2]}\n"), HasSubstr("3 numbers"));
     EXPECT_THAT(problem("region: {min: [0, 0, 0]}\n"), HasSubstr("needs 'min' and 'max'"));
-    EXPECT_THAT(problem("axis_hint: [0, 0, 0]\n"), HasSubstr("not zero"));
+    EXPECT_THAT(problem("axis_hint: [0, 0, 0]\n"), HasSubstr("must be a direction"));
     EXPECT_THAT(problem("kind: object\n"), HasSubstr("kind is given twice"));
     EXPECT_THAT(problem("gripper_template: a.pcd\n"), HasSubstr("kind object"));
     EXPECT_THAT(problem("step_deg: [1\n"), HasSubstr("not valid YAML"));

@@ -18,6 +18,7 @@
 namespace gripscan::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// A textured ball in front of a textured wall that lies outside of the region.
@@ -160,6 +161,8 @@ TEST(StereoCloud, SaysWhatIsWrongWithItsInput) {
     EXPECT_THAT(message(pair.frame, Box{{0, 0, 0.7}, {0.1, 0.1, 0.7}}), HasSubstr("is empty"));
     EXPECT_THAT(message(pair.frame, Box{{-1, -1, -2}, {1, 1, -1}}), HasSubstr("behind"));
     EXPECT_THAT(message(pair.frame, Box{{3, 3, 0.7}, {3.1, 3.1, 0.8}}), HasSubstr("outside"));
+    EXPECT_THAT(message(pair.frame, Box{{-0.1, -0.1, 1e-6}, {0.1, 0.1, 1e6}}),
+                AllOf(HasSubstr("the region, z 1e-06"), HasSubstr("comes too near the cameras")));
     StereoSettings settings;
     settings.num_disparities = -5;
     EXPECT_THAT(message(pair.frame, kRegion, settings), HasSubstr("make no sense"));
