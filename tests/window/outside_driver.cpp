@@ -206,7 +206,17 @@ int OutsideDriver::wait_for_end(double patience_s) {
 }
 
 std::string OutsideDriver::error_text() const {
-    return text_of(home_ / "stderr.txt");
+    std::string text = text_of(home_ / "stderr.txt");
+    const auto list = controls();
+    if (list.is_discarded() || !list.contains("widgets")) return text + "no list of controls\n";
+    for (const auto& widget : list["widgets"]) {
+        const auto id = widget["id"].get<std::string>();
+        if (!id.starts_with("step.") && !id.starts_with("status.")) continue;
+        text += id + " '" + widget["label"].get<std::string>() + "'" +
+                (widget["enabled"].get<bool>() ? "" : " is grey: ") +
+                widget["reason"].get<std::string>() + "\n";
+    }
+    return text;
 }
 
 }  // namespace gripscan::test

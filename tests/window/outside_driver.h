@@ -55,6 +55,7 @@ class OutsideDriver {
     /// Waits for the end; the exit status, 128 + signal if it was killed.
     [[nodiscard]] int wait_for_end(double patience_s = 60.0);
     [[nodiscard]] bool running() const;
+    /// What it wrote to standard error, and what the step card shows.
     [[nodiscard]] std::string error_text() const;
 
   private:

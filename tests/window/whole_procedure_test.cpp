@@ -32,13 +32,13 @@ int run_headless(const std::vector<std::string>& arguments) {
 
 /// Begins a session in the simulated cell with this test's step, connected and idle.
 void begin_turn(const OutsideDriver& driver) {
-    ASSERT_TRUE(driver.click("start.simulated"));
+    ASSERT_TRUE(driver.click("start.simulated")) << driver.error_text();
     ASSERT_TRUE(driver.wait_for("step.check_cell")) << driver.error_text();
     if (step_deg() == "10") return;
-    ASSERT_TRUE(driver.click("page.cell"));
-    ASSERT_TRUE(driver.enter("plan.step", step_deg()));
+    ASSERT_TRUE(driver.click("page.cell")) << driver.error_text();
+    ASSERT_TRUE(driver.enter("plan.step", step_deg())) << driver.error_text();
     driver.key("Return");
-    ASSERT_TRUE(driver.click("page.procedure"));
+    ASSERT_TRUE(driver.click("page.procedure")) << driver.error_text();
 }
 
 /// Two steps by hand, one of them again, one halved, one taken back; the rest by itself; export.
@@ -47,29 +47,29 @@ TEST(WholeProcedure, ByHandThenByItselfToTheExportedTemplate) {
     const fs::path home = folder / "home";
     OutsideDriver driver(home, {});
     begin_turn(driver);
-    ASSERT_TRUE(driver.begin("step.check_cell"));
-    ASSERT_TRUE(driver.begin("step.warm_up"));
-    ASSERT_TRUE(driver.begin("step.capture"));
-    ASSERT_TRUE(driver.wait_for("step.step")) << driver.find("step.step")->reason;
+    ASSERT_TRUE(driver.begin("step.check_cell")) << driver.error_text();
+    ASSERT_TRUE(driver.begin("step.warm_up")) << driver.error_text();
+    ASSERT_TRUE(driver.begin("step.capture")) << driver.error_text();
+    ASSERT_TRUE(driver.wait_for("step.step")) << driver.error_text();
     driver.key("space");  // the next action: the first step
-    ASSERT_TRUE(driver.taken("step.step"));
-    ASSERT_TRUE(driver.begin("step.retry"));
-    ASSERT_TRUE(driver.begin("step.halve"));
-    ASSERT_TRUE(driver.begin("step.step"));
-    ASSERT_TRUE(driver.wait_for("step.undo"));
+    ASSERT_TRUE(driver.taken("step.step")) << driver.error_text();
+    ASSERT_TRUE(driver.begin("step.retry")) << driver.error_text();
+    ASSERT_TRUE(driver.begin("step.halve")) << driver.error_text();
+    ASSERT_TRUE(driver.begin("step.step")) << driver.error_text();
+    ASSERT_TRUE(driver.wait_for("step.undo")) << driver.error_text();
     driver.key("ctrl+z");
-    ASSERT_TRUE(driver.click("mode.run"));
+    ASSERT_TRUE(driver.click("mode.run")) << driver.error_text();
     ASSERT_TRUE(driver.click("window.export", 800.0)) << driver.error_text();
-    ASSERT_TRUE(driver.click("export.pcd"));
-    ASSERT_TRUE(driver.click("export.binary"));
+    ASSERT_TRUE(driver.click("export.pcd")) << driver.error_text();
+    ASSERT_TRUE(driver.click("export.binary")) << driver.error_text();
     // Typed on a keyboard of plain letters.
     const fs::path exported =
         fs::path("/tmp") / ("gripscan-window-" + std::to_string(::getpid()) + ".pcd");
-    ASSERT_TRUE(driver.enter("export.file", exported.string()));
-    ASSERT_TRUE(driver.click("export.write"));
+    ASSERT_TRUE(driver.enter("export.file", exported.string())) << driver.error_text();
+    ASSERT_TRUE(driver.click("export.write")) << driver.error_text();
     ASSERT_TRUE(driver.wait_for_file(exported)) << driver.error_text();
     driver.key("ctrl+w");
-    ASSERT_TRUE(driver.wait_for("start.simulated"));
+    ASSERT_TRUE(driver.wait_for("start.simulated")) << driver.error_text();
 
     // The same by the program without a window: the recording computed again and exported.
     const fs::path session = session_in(home);
@@ -90,7 +90,7 @@ TEST(WholeProcedure, ARunInTheWindowIsTheRunOfTheCommandLine) {
     const fs::path home = folder / "home";
     OutsideDriver driver(home, {});
     begin_turn(driver);
-    ASSERT_TRUE(driver.click("mode.run"));
+    ASSERT_TRUE(driver.click("mode.run")) << driver.error_text();
     ASSERT_TRUE(driver.wait_for("window.export", 800.0)) << driver.error_text();
     ASSERT_EQ(run_headless({"run", "gripper", "--cell", "sim", "--step-deg", step_deg(), "--out",
                             (folder / "headless").string()}),
@@ -106,12 +106,13 @@ TEST(WholeProcedure, KilledWhileBusyTheNextStartGoesOn) {
     {
         OutsideDriver driver(home, {});
         begin_turn(driver);
-        ASSERT_TRUE(driver.click("mode.run"));
-        ASSERT_TRUE(driver.wait_for_file(session_in(home) / "frames/003_right.png"));
+        ASSERT_TRUE(driver.click("mode.run")) << driver.error_text();
+        ASSERT_TRUE(driver.wait_for_file(session_in(home) / "frames/003_right.png"))
+            << driver.error_text();
         driver.kill_now();
     }
     OutsideDriver driver(home, {});
-    ASSERT_TRUE(driver.click("start.resume"));
+    ASSERT_TRUE(driver.click("start.resume")) << driver.error_text();
     // Cut off in the middle of something it first goes on with that; the run is a command again.
     const auto next = driver.first_of({"step.resume", "mode.run"});
     ASSERT_TRUE(next) << driver.error_text();

@@ -47,7 +47,7 @@ TEST(Fitted, CutsWholeLettersAndNeverExceedsTheWidth) {
 
 TEST(FittedMiddle, KeepsTheEndOfAPath) {
     UiDriver driver(400, 100, [](const Ui& ui) {
-        const std::string path = "/home/müller/gripscan/object-2026/exports/Größe_v12.pcd";
+        const std::string path = "/Anlagen/Prüf/gripscan/object-2026/exports/Größe_v12.pcd";
         EXPECT_EQ(fitted_middle(ui, FontRole::kTable, path, 2000.0F), path);
         for (float width = 60.0F; width < 360.0F; width += 7.0F) {
             const std::string cut = fitted_middle(ui, FontRole::kTable, path, width);
