@@ -20,7 +20,7 @@ TEST(RealCell, ARegionThatCannotBeMatchedLeavesNoSessionBehind) {
         {"simcell", "--port", "0", "--cell-out", (folder / "cell").string()}, [&] {
             if (!fs::exists(file)) return false;
             CellFile cell = load_cell_file(file).value();
-            cell.region = Box{{-0.1, -0.1, 1e-6}, {0.1, 0.1, 1.0}};
+            cell.region = Box{{-0.1, -0.1, 1e-6}, {0.1, 0.1, 1e6}};
             EXPECT_TRUE(save_cell_file(folder / "near.yaml", cell));
             const auto run =
                 run_program({"run", "gripper", "--cell", (folder / "near.yaml").string(), "--out",
