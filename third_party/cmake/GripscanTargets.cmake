@@ -37,9 +37,9 @@ function(gripscan_library name)
 endfunction()
 
 # gripscan_test(NAME LINK targets...): the folder's *_test.cpp become the program NAME,
-# each of its cases a test of its own.
+# each of its cases a test of its own. ALONE: nothing runs beside them.
 function(gripscan_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "LINK;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "ALONE" "TIMEOUT" "LINK;SOURCES" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
@@ -50,5 +50,5 @@ function(gripscan_test name)
   target_link_libraries(${name} PRIVATE gripscan_options ${ARG_LINK} gripscan_test_support
     GTest::gmock GTest::gtest_main)
   gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
-    PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+    PROPERTIES TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ${ARG_ALONE})
 endfunction()
