@@ -53,8 +53,7 @@ Result<Exposure> expose(RobotLink* robot, StereoSource& source, const Shot& shot
     }
     return device_error(
         "the scene does not come to rest: {} ({} pairs of exposures); longer settling, or "
-        "something "
-        "moves in the registration area",
+        "something moves in the registration area",
         why, settings.tries);
 }
 

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
+#include "core/base/median.h"
 #include "core/cloud/filters.h"
 
 namespace gripscan {
 namespace {
 
 constexpr std::size_t kFewestPoints = 100;
-
-double median(std::vector<float> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return static_cast<double>(*middle);
-}
 
 /// At most so many points, every n-th: coarse scenes need no more, and time is short.
 OrientedPoints some_of(const OrientedPoints& all) {
@@ -52,7 +47,8 @@ Result<SceneView> make_scene_view(const Cloud& cloud, double finest_step_m,
         estimate_normals(computed, {}, for_each);
         view.points.normals = std::move(computed.normals);
     }
-    view.noise_m = cloud.sigma.empty() ? noise_estimate_m(cloud, for_each) : median(cloud.sigma);
+    view.noise_m = cloud.sigma.empty() ? noise_estimate_m(cloud, for_each)
+                                       : static_cast<double>(median_of(cloud.sigma));
     view.thin = thinned_by_normal(some_of(view.points), view.thin_m);
     return view;
 }

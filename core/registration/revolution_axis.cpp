@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/median.h"
+
 namespace gripscan {
 namespace {
 
@@ -86,12 +88,6 @@ std::vector<double> misses(const std::vector<Line>& lines, const Complex& comple
         sizes.push_back(std::abs(complex.c.dot(line.moment) + complex.c_bar.dot(line.direction)));
     }
     return sizes;
-}
-
-double median_of(std::vector<double> sizes) {
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return *middle;
 }
 
 double share_that_passes(const std::vector<Line>& lines, const Complex& complex) {

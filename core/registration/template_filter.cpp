@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "core/cloud/blocks.h"
 #include "core/cloud/kd_tree.h"
 
@@ -81,13 +82,6 @@ Indices without_outliers(const Cloud& cloud, const Indices& indices, const Templ
     return left;
 }
 
-template <typename T>
-double median(std::vector<T> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return static_cast<double>(*middle);
-}
-
 Box bounds_of(const Cloud& cloud) {
     Eigen::AlignedBox3f bounds;
     for (const Eigen::Vector3f& p : cloud.points) bounds.extend(p);
@@ -120,8 +114,8 @@ TemplateFacts template_facts(const Cloud& cloud, const ForEach& for_each) {
     facts.has_normals = cloud.has_normals();
     if (cloud.empty()) return facts;
     facts.bounds = bounds_of(cloud);
-    facts.spacing_m = median(mean_distances_m(cloud.points, 1, for_each));
-    if (!cloud.sigma.empty()) facts.sigma_m = median(cloud.sigma);
+    facts.spacing_m = median_of(mean_distances_m(cloud.points, 1, for_each));
+    if (!cloud.sigma.empty()) facts.sigma_m = static_cast<double>(median_of(cloud.sigma));
     return facts;
 }
 

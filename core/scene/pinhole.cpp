@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
+
+#include "core/base/median.h"
 
 namespace gripscan {
 namespace {
@@ -39,12 +42,6 @@ Place place(const Cloud& cloud, std::size_t i) {
             static_cast<double>(cloud.cell[i] / cloud.grid_width)};
 }
 
-double median_of(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 }  // namespace
 
 std::optional<Pinhole> pinhole_of(const Cloud& cloud) {
@@ -75,7 +72,7 @@ double misfit_px(const Cloud& cloud, const Pinhole& camera) {
         in_rows.push_back(std::abs(seen.y() - v));
     }
     if (in_columns.empty()) return 0.0;
-    return std::max(median_of(in_columns), median_of(in_rows));
+    return std::max(median_of(std::move(in_columns)), median_of(std::move(in_rows)));
 }
 
 }  // namespace gripscan

@@ -7,6 +7,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/base/median.h"
+
 namespace gripscan {
 namespace {
 
@@ -81,12 +83,6 @@ std::optional<cv::Point2d> shift_of(const cv::Mat& before, const cv::Mat& now, c
     return cv::Point2d(
         best.x - kReach + peak(score(best.y, best.x - 1), score(best), score(best.y, best.x + 1)),
         best.y - kReach + peak(score(best.y - 1, best.x), score(best), score(best.y + 1, best.x)));
-}
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 }  // namespace

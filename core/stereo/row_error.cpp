@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/median.h"
+
 namespace gripscan {
 namespace {
 
@@ -159,12 +161,6 @@ std::optional<double> fine_row(const StereoFrame& frame, const cv::Point& at,
         if (std::hypot(dx, dy) < kConverged_px) return y;
     }
     return {};
-}
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/base/median.h"
+
 namespace gripscan {
 namespace {
 
@@ -94,12 +96,6 @@ Block block_at(const cv::Mat& a, const cv::Mat& b, int x0, int y0) {
         }
     }
     return block;
-}
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Smoothing correlates the noise of neighbouring pixels: a block knows as much as with the raw

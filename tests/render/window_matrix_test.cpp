@@ -10,9 +10,9 @@
 #include "tests/support/egl_context.h"
 #include "tests/support/golden_image.h"
 #include "tests/support/sample_pages.h"
+#include "tests/support/sample_scene.h"
 #include "tests/support/sample_snapshot.h"
 #include "tests/support/ui_driver.h"
-#include "tests/unit/ui_view3d/sample_scene.h"
 #include "ui/gl/render_target.h"
 #include "ui/panels/screen.h"
 #include "ui/shell/imgui_painter.h"
@@ -44,9 +44,7 @@ cv::Mat window_picture(const Snapshot& snapshot, ThemeChoice theme, const Size& 
     ScreenParts parts;
     UiDriver driver(
         width, height,
-        [&](const Ui& ui) {
-            draw_screen(ui, width, height, snapshot, {}, 0.0, state, parts, out);
-        },
+        [&](const Ui& ui) { draw_screen(ui, width, height, snapshot, {}, 0.0, state, parts, out); },
         Scale(scale), theme);
     auto made = make_screen_parts();
     auto painter = ImGuiPainter::make();

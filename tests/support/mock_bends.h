@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "tests/support/mock_client.h"
+#include "tests/support/replaced.h"
 
 namespace gripscan::test {
-
-inline std::string replaced(std::string text, std::string_view what, std::string_view by) {
-    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
-        text.replace(at, what.size(), by);
-    }
-    return text;
-}
 
 /// One text instead of another, wherever it stands.
 inline Bend with(std::string what, std::string by) {

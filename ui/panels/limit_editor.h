@@ -13,7 +13,7 @@ namespace gripscan::ui {
 
 struct LimitEditorState {
     std::string evidence;  ///< "evidence.overlap": whose limit is edited
-    Rect row;              ///< its line, above which the card opens
+    Rect row;              ///< its line, below which the card opens
 };
 
 /// For the line that was clicked; nothing happens where its limit is fixed.

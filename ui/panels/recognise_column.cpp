@@ -5,10 +5,10 @@
 #include <array>
 
 #include "ui/panels/action_button.h"
+#include "ui/panels/evidence_of.h"
 #include "ui/panels/panel_parts.h"
 #include "ui/views/recognition_text.h"
 #include "ui/widgets/choice.h"
-#include "ui/widgets/evidence_row.h"
 #include "ui/widgets/rich_text.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/verdict_card.h"
@@ -86,10 +86,9 @@ void draw_found(Column& c, std::size_t i) {
     c.y += head.height;
     for (const EvidenceText& e : found_evidence(shown, i)) {
         const std::string id = fmt::format("{}.{}", e.id, i);
-        (void)evidence_row(
-            ui, c.row(),
-            {id, e.label, e.value, e.unit, e.decimals, e.with_sign, e.limit, e.limit_decimals,
-             e.at_least ? LimitKind::kAtLeast : LimitKind::kAtMost, e.state, e.meaning});
+        Evidence row = evidence_of(e);
+        row.id = id;
+        (void)evidence_row(ui, c.row(), row);
         c.y += c.row().height;
     }
     for (const auto& [label, words] : found_remarks(found)) {

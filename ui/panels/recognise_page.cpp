@@ -66,10 +66,8 @@ struct Overlay {
     [[nodiscard]] Rect free_place(const Rect& wanted, const std::vector<Rect>& taken) const {
         const auto is_free = [&](const Rect& place) {
             return place.y >= rect.y && place.bottom() <= rect.bottom() &&
-                   std::ranges::none_of(taken, [&](const Rect& other) {
-                       return place.x < other.right() && other.x < place.right() &&
-                              place.y < other.bottom() && other.y < place.bottom();
-                   });
+                   std::ranges::none_of(taken,
+                                        [&](const Rect& other) { return place.overlaps(other); });
         };
         const int step = wanted.height + ui.em(0.14F);
         for (int i = 0; i * step < rect.height; ++i) {

@@ -8,12 +8,11 @@
 
 #include "core/base/units.h"
 #include "ui/panels/action_button.h"
+#include "ui/panels/evidence_of.h"
 #include "ui/panels/step_heading.h"
 #include "ui/views/cell_view.h"
-#include "ui/views/step_text.h"
 #include "ui/widgets/choice.h"
 #include "ui/widgets/draw.h"
-#include "ui/widgets/evidence_row.h"
 #include "ui/widgets/number_input.h"
 #include "ui/widgets/rich_text.h"
 #include "ui/widgets/tooltip.h"
@@ -98,11 +97,10 @@ struct Card {
         } else if (!limit_fields(e.id).empty()) {
             meaning += " The limit stays: " + fixed;
         }
-        const bool clicked = evidence_row(
-            ui, row,
-            {e.id, e.label, e.value, e.unit, e.decimals, e.with_sign, e.limit, e.limit_decimals,
-             e.at_least ? LimitKind::kAtLeast : LimitKind::kAtMost, e.state, meaning, past});
-        if (clicked) open_limit_editor(local.limit, snapshot, e.id, row);
+        Evidence shown = evidence_of(e);
+        shown.meaning = meaning;
+        shown.past = past;
+        if (evidence_row(ui, row, shown)) open_limit_editor(local.limit, snapshot, e.id, row);
     }
 
     /// Before the first step there is no evidence: what the next action does stands there.

@@ -191,12 +191,17 @@ void add_found(const LineInput& input, SceneLines& out) {
 
 }  // namespace
 
+std::string why_no_region_box(const Snapshot& snapshot, const SceneParts& parts) {
+    const std::string fixed = why_region_is_fixed(snapshot);
+    if (!fixed.empty()) return fixed;
+    const bool there = parts.kind == SceneKind::kEmpty && snapshot.page != Page::kRecognise &&
+                       snapshot.page != Page::kTemplate;
+    return there ? "" : "The registration area is edited on the Procedure page.";
+}
+
 std::optional<Box> editable_box(const Snapshot& snapshot, const SceneParts& parts,
                                 const Box& around) {
-    const bool other_page = snapshot.page == Page::kRecognise || snapshot.page == Page::kTemplate;
-    if (parts.kind == SceneKind::kEmpty && !other_page && why_region_is_fixed(snapshot).empty()) {
-        return edited_region(snapshot.cell);
-    }
+    if (why_no_region_box(snapshot, parts).empty()) return edited_region(snapshot.cell);
     if (parts.kind != SceneKind::kTemplate) return std::nullopt;
     if (snapshot.filter.crop) return snapshot.filter.crop;
     return around.valid() ? std::optional(around) : std::nullopt;

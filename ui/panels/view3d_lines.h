@@ -40,6 +40,9 @@ struct LineInput {
 };
 [[nodiscard]] SceneLines scene_lines(const LineInput& input);
 
+/// Why the registration area is not the cuboid that can be dragged; empty: it is.
+[[nodiscard]] std::string why_no_region_box(const Snapshot& snapshot, const SceneParts& parts);
+
 /// The cuboid that can be dragged: of a template its crop, all of it where none is set; before a
 /// turn the registration area of the next session; else nothing.
 [[nodiscard]] std::optional<Box> editable_box(const Snapshot& snapshot, const SceneParts& parts,

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "ui/panels/colour_menu.h"
+#include "ui/panels/view3d_lines.h"
 #include "ui/theme/shown_number.h"
-#include "ui/views/cell_view.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/draw.h"
 #include "ui/widgets/number_input.h"
@@ -75,14 +75,6 @@ void draw_size(const Ui& ui, ToolCard& card, View3dState& state, bool labels) {
     if (button(ui, card.next(1.57F), more)) step(1.0);
 }
 
-std::string why_no_region_box(const SceneParts& parts, const Snapshot& snapshot) {
-    const std::string fixed = why_region_is_fixed(snapshot);
-    if (!fixed.empty()) return fixed;
-    const bool there = parts.kind == SceneKind::kEmpty && snapshot.page != Page::kRecognise &&
-                       snapshot.page != Page::kTemplate;
-    return there ? "" : "The registration area is edited on the Procedure page.";
-}
-
 bool tool(const Ui& ui, ToolCard& card, std::string_view id, Icon icon, std::string_view tooltip,
           bool on, std::string_view why_disabled = {}) {
     ButtonSpec spec{id, {}, icon};
@@ -109,7 +101,7 @@ void draw_left(const Ui& ui, const Rect& rect, const SceneParts& parts, const Sn
     }
     const bool crops = parts.kind == SceneKind::kTemplate;
     bool& handles = crops ? state.edit_box : state.edit_region;
-    const std::string no_box = crops ? std::string() : why_no_region_box(parts, snapshot);
+    const std::string no_box = crops ? std::string() : why_no_region_box(snapshot, parts);
     if (tool(ui, card, "view3d.crop", Icon::kCrop,
              crops ? "Handles of the crop cuboid"
                    : "Handles of the registration area; the Cell page keeps what is changed",

@@ -152,10 +152,11 @@ Result<std::unique_ptr<AppWindow>> AppWindow::make(const WindowSettings& setting
     parts.theme = settings.theme;
     const Scale scale(parts.window->content_scale() * settings.user_scale);
     if (const float monitor = parts.window->content_scale(); monitor != 1.0F) {
-        const auto size = [&](int px) { return static_cast<int>(monitor * static_cast<float>(px)); };
+        const auto size = [&](int px) {
+            return static_cast<int>(monitor * static_cast<float>(px));
+        };
         parts.window->resize({size(settings.width_px), size(settings.height_px)});
     }
-    parts.limit_size(scale);
     auto session = ImGuiSession::make(settings.theme, scale);
     if (!session) return forward_error(session.error());
     parts.session = *std::move(session);

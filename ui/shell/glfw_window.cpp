@@ -5,7 +5,6 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-
 #include <atomic>
 #include <utility>
 
@@ -18,6 +17,18 @@ std::string glfw_reason() {
     const char* text = nullptr;
     glfwGetError(&text);
     return text != nullptr ? text : "no reason given";
+}
+
+/// What fits on the monitor beside its bars.
+GlfwWindow::Size fitting(GlfwWindow::Size wanted) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return wanted;
+    int x = 0;
+    int y = 0;
+    GlfwWindow::Size room{};
+    glfwGetMonitorWorkarea(monitor, &x, &y, &room.width_px, &room.height_px);
+    if (room.width_px <= 0 || room.height_px <= 0) return wanted;
+    return {std::min(wanted.width_px, room.width_px), std::min(wanted.height_px, room.height_px)};
 }
 
 }  // namespace
@@ -126,22 +137,6 @@ void GlfwWindow::wake() {
     glfwPostEmptyEvent();
 }
 
-namespace {
-
-/// What fits on the monitor beside its bars.
-GlfwWindow::Size fitting(GlfwWindow::Size wanted) {
-    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-    if (monitor == nullptr) return wanted;
-    int x = 0;
-    int y = 0;
-    GlfwWindow::Size room{};
-    glfwGetMonitorWorkarea(monitor, &x, &y, &room.width_px, &room.height_px);
-    if (room.width_px <= 0 || room.height_px <= 0) return wanted;
-    return {std::min(wanted.width_px, room.width_px), std::min(wanted.height_px, room.height_px)};
-}
-
-}  // namespace
-
 void GlfwWindow::resize(Size wanted) {
     const Size size = fitting(wanted);
     glfwSetWindowSize(window_, size.width_px, size.height_px);
@@ -149,8 +144,7 @@ void GlfwWindow::resize(Size wanted) {
 
 void GlfwWindow::keep_at_least(Size smallest) {
     const Size size = fitting(smallest);
-    glfwSetWindowSizeLimits(window_, size.width_px, size.height_px, GLFW_DONT_CARE,
-                            GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window_, size.width_px, size.height_px, GLFW_DONT_CARE, GLFW_DONT_CARE);
 }
 
 GlfwWindow::Size GlfwWindow::framebuffer() const {

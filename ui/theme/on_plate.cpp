@@ -18,13 +18,6 @@ Colour brighter(const Colour& c, double factor) {
     return {level(c.r * factor), level(c.g * factor), level(c.b * factor), c.a};
 }
 
-Colour towards_white(const Colour& c, double part) {
-    const auto mixed = [&](std::uint8_t channel) {
-        return level(channel + part * (255 - channel));
-    };
-    return {mixed(c.r), mixed(c.g), mixed(c.b), c.a};
-}
-
 }  // namespace
 
 Colour on_plate(const Theme& theme, const Colour& colour) {
@@ -39,7 +32,8 @@ Colour on_plate(const Theme& theme, const Colour& colour) {
         if (readable(c)) return c;
     }
     for (int i = 1; i < kSteps; ++i) {
-        const Colour c = towards_white(brighter(colour, most), static_cast<double>(i) / kSteps);
+        const Colour c = mixed(brighter(colour, most), kWhite.with_alpha(colour.a / 255.0),
+                               static_cast<double>(i) / kSteps);
         if (readable(c)) return c;
     }
     return kWhite;

@@ -32,11 +32,8 @@ int draw_mode_chip(const Ui& ui, int x, float y, RobotMode mode) {
         icon = Icon::kFlask;
         fill(chip, t.sim_bg, ui.scale.em(0.21F));
         dashed_outline(ui, chip, t.sim, 3.0F, 2.0F);
-    } else if (mode == RobotMode::kDry) {
-        fill(chip, t.raised, ui.scale.em(0.21F));
-        outline(chip, t.text_second, ui.scale.line(), ui.scale.em(0.21F));
-    } else if (mode == RobotMode::kManual) {
-        icon = Icon::kStep;
+    } else if (mode == RobotMode::kDry || mode == RobotMode::kManual) {
+        if (mode == RobotMode::kManual) icon = Icon::kStep;
         fill(chip, t.raised, ui.scale.em(0.21F));
         outline(chip, t.text_second, ui.scale.line(), ui.scale.em(0.21F));
     } else {

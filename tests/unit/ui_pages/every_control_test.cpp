@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/atomic_file.h"
+#include "tests/support/replaced.h"
 #include "tests/support/request_text.h"
 #include "tests/support/sample_pages.h"
 #include "tests/support/sample_snapshot.h"
@@ -131,16 +132,9 @@ std::string pressed_one_by_one(const Snapshot& snapshot, const ScreenState& star
     return text;
 }
 
-std::string without(std::string text, const std::string& what, const std::string& instead) {
-    for (auto at = text.find(what); at != std::string::npos; at = text.find(what)) {
-        text.replace(at, what.size(), instead);
-    }
-    return text;
-}
-
 void expect_approved(const std::string& name, const std::string& text) {
-    const fs::path file = fs::path(GRIPSCAN_SOURCE_DIR) / "tests/unit/ui_pages/controls" /
-                          (name + ".txt");
+    const fs::path file =
+        fs::path(GRIPSCAN_SOURCE_DIR) / "tests/unit/ui_pages/controls" / (name + ".txt");
     if (const char* update = std::getenv("GRIPSCAN_UPDATE_GOLDEN"); update && *update == '1') {
         fs::create_directories(file.parent_path());
         ASSERT_TRUE(write_file_atomically(file, text));
@@ -307,7 +301,7 @@ TEST(EveryControl, OpenDialog) {
     ScreenState start;
     start.open.path = folder.path().string() + "/";
     const std::string text = pressed_one_by_one(snapshot, start);
-    expect_approved("open", without(text, folder.path().string(), "FOLDER"));
+    expect_approved("open", test::replaced(text, folder.path().string(), "FOLDER"));
 }
 
 }  // namespace

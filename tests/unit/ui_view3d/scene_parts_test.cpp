@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "tests/unit/ui_view3d/sample_scene.h"
+#include "tests/support/sample_scene.h"
 #include "ui/theme/shown_number.h"
 #include "ui/views/colouring_text.h"
 #include "ui/views/scene_words.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/unit/ui_view3d/sample_scene.h"
+#include "tests/support/sample_scene.h"
 
 namespace gripscan::ui {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/sample_scene.h"
 #include "tests/support/ui_driver.h"
-#include "tests/unit/ui_view3d/sample_scene.h"
 
 namespace gripscan::ui {
 namespace {

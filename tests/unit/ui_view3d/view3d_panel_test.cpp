@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/egl_context.h"
+#include "tests/support/sample_scene.h"
 #include "tests/support/ui_driver.h"
-#include "tests/unit/ui_view3d/sample_scene.h"
 #include "ui/imgui_compat.h"
 #include "ui/panels/view3d_gestures.h"
 

@@ -2,7 +2,7 @@
 
 #include "tests/render/screen_picture.h"
 #include "tests/support/egl_context.h"
-#include "tests/unit/ui_view3d/sample_scene.h"
+#include "tests/support/sample_scene.h"
 #include "ui/panels/stereo_panel.h"
 #include "ui/panels/view3d_panel.h"
 

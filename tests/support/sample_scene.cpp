@@ -1,4 +1,4 @@
-#include "tests/unit/ui_view3d/sample_scene.h"
+#include "tests/support/sample_scene.h"
 
 #include <cmath>
 #include <limits>
