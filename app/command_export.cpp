@@ -7,6 +7,7 @@
 #include "core/cloud/cloud_file.h"
 #include "core/geometry/axis_frame.h"
 #include "core/report/report_json.h"
+#include "core/report/table1_text.h"
 
 namespace gripscan::app {
 namespace {
@@ -38,6 +39,8 @@ Result<ExitStatus> export_template(const ExportOptions& options, const Context& 
     CloudFileOptions file;
     file.encoding = options.encoding;
     file.metres_per_unit = options.unit == "mm" ? 0.001 : 1.0;
+    std::error_code code;
+    const bool replaced = std::filesystem::exists(options.out, code);
     if (Status saved = save_cloud(options.out, cloud, file); !saved) {
         return forward_error(saved.error());
     }
@@ -45,10 +48,13 @@ Result<ExitStatus> export_template(const ExportOptions& options, const Context& 
     if (context.options.json) {
         print_result(export_json(path, cloud.size(), options.unit, options.frame));
     } else if (!context.options.quiet) {
-        print_result(fmt::format("template     {} ({} points, {}, {} frame)\n", path, cloud.size(),
-                                 options.unit, options.frame));
+        print_result(fmt::format("template     {} ({} points, {}, {} frame){}\n", path, cloud.size(),
+                                 options.unit, options.frame,
+                                 replaced ? "; the file that was there is replaced" : ""));
     }
-    return trust(results->report);
+    const ExitStatus status = trust(results->report);
+    if (status != kDone) say(context, "not all trusted: " + summary_sentence(results->report));
+    return status;
 }
 
 }  // namespace

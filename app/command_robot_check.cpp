@@ -97,9 +97,16 @@ Result<ExitStatus> robot_check(const RobotCheckOptions& options, const Context& 
     const auto report = gsp::check_conformance(*settings, tell, context.stop);
     if (!report) return forward_error(report.error());
     if (context.options.json) print_result(json_of(*settings, *report));
-    if (report->conforms()) return kDone;
-    say(context, fmt::format("the controller at {} does not conform to {}",
-                             place_of(settings->host, settings->motion_port), gsp::kVersionText));
+    const std::string place = place_of(settings->host, settings->motion_port);
+    if (report->conforms()) {
+        say(context, fmt::format("the controller at {} conforms to {}{}", place, gsp::kVersionText,
+                                 options.move ? "" : ", as far as can be told without --move"));
+        return kDone;
+    }
+    say(context,
+        fmt::format("the controller at {} does not conform to {}; if another program talked to it "
+                    "meanwhile, end that and check again",
+                    place, gsp::kVersionText));
     return kNotTrusted;
 }
 
@@ -124,8 +131,9 @@ void add_robot_check(const CommandLine& line) {
                       "Also turn joint 6, slowly and by 15 deg at most, and back");
     add_common_options(*command, line.common);
     command->footer(
-        "One line a check. Without --move nothing moves. Exit status 0: it conforms, 1: it does "
-        "not, 3: it cannot be reached.\n"
+        "One line a check. Without --move nothing moves. The controller has room for one client: "
+        "no other program, a workstation or a run, may talk to it meanwhile. Exit status 0: it "
+        "conforms, 1: it does not, 3: it cannot be reached.\n"
         "Example:\n  gripscan robot-check 192.168.0.10 --move");
     command->callback([options, &action = line.action] {
         action = [options](const Context& context) { return robot_check(*options, context); };

@@ -110,7 +110,9 @@ Result<ExitStatus> run_turn(const RunOptions& options, std::string_view what,
                                .resume = options.resume,
                                .turn = options.turn,
                                .threads = thread_count(context)};
-    auto run = TurnRun::open(run_options, {}, context.stop);
+    TurnRunViewers viewers;
+    viewers.waits = remarks(context);
+    auto run = TurnRun::open(run_options, std::move(viewers), context.stop);
     if (!run) return forward_error(run.error());
     const DriverOptions drive{.resumed = (*run)->resumed(),
                               .speed_percent = options.cell.speed_percent};

@@ -70,21 +70,21 @@ Status move_arm(const EnvironmentOptions& options, int capture, Cell& cell,
     CellOptions again = options.cell;
     again.other_joints_deg =
         kSimulatedPoses[static_cast<std::size_t>(capture) % kSimulatedPoses.size()];
-    auto moved = open_cell(again, context.stop);
+    auto moved = open_cell(again, context.stop, remarks(context));
     if (!moved) return forward_error(moved.error());
     cell = std::move(*moved);
     return {};
 }
 
-Result<Cell> open(const EnvironmentOptions& options, const std::stop_token& stop) {
+Result<Cell> open(const EnvironmentOptions& options, const Context& context) {
     CellOptions cell = options.cell;
     cell.arm_away = !options.arm_in_view;
     cell.manual = !cell.simulated();  // nothing is moved, so a cell without a robot will do
-    return open_cell(cell, stop);
+    return open_cell(cell, context.stop, remarks(context));
 }
 
 Result<ExitStatus> learn(const EnvironmentOptions& options, const Context& context) {
-    auto cell = open(options, context.stop);
+    auto cell = open(options, context);
     if (!cell) return forward_error(cell.error());
     {
         auto store = begin_environment(options.out, options.cell, *cell, options.arm_in_view);
@@ -129,7 +129,7 @@ Result<RegisteredGripper> gripper_at(const fs::path& session, double joint6_rad,
 Result<ExitStatus> check_cell(const EnvironmentOptions& options, const Context& context) {
     const auto model = load_environment(options.check);
     if (!model) return forward_error(model.error());
-    auto cell = open(options, context.stop);
+    auto cell = open(options, context);
     if (!cell) return forward_error(cell.error());
     const auto rectifier = Rectifier::create(cell->rig);
     if (!rectifier) return forward_error(rectifier.error());

@@ -21,6 +21,10 @@ void say(const Context& context, std::string_view text) {
     if (!context.options.quiet) tell_people(fmt::format("gripscan: {}\n", text));
 }
 
+std::function<void(const std::string&)> remarks(const Context& context) {
+    return [&context](const std::string& text) { say(context, text); };
+}
+
 ExitStatus report_error(const Error& error) {
     tell_people(fmt::format("gripscan: {}\n", error.message));
     switch (error.kind) {

@@ -1,6 +1,8 @@
 // The two streams: results on standard output, everything else on standard error.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <string_view>
 
 #include "app/context.h"
@@ -13,6 +15,8 @@ void print_result(std::string_view text);
 [[nodiscard]] bool results_printed();
 /// A remark for people; silent with --quiet.
 void say(const Context& context, std::string_view text);
+/// say() as a receiver of remarks; the context must outlive it.
+[[nodiscard]] std::function<void(const std::string&)> remarks(const Context& context);
 /// Reports the error and returns the exit status of its kind.
 [[nodiscard]] ExitStatus report_error(const Error& error);
 

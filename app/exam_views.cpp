@@ -6,6 +6,7 @@
 #include <numbers>
 #include <thread>
 
+#include "app/console.h"
 #include "app/open_cell.h"
 #include "core/base/seeded_random.h"
 #include "core/base/units.h"
@@ -100,7 +101,7 @@ Result<std::vector<ExamView>> driven_exam(const Session& session, const ExamDriv
     if (!drive.cell.simulated() && !drive.cell.live) {
         return input_error("--drive turns joint 6: of a real controller it wants --live");
     }
-    auto cell = open_cell(drive.cell, context.stop);
+    auto cell = open_cell(drive.cell, context.stop, remarks(context));
     if (!cell) return forward_error(cell.error());
     if (!cell->robot) return input_error("the exam turns joint 6 itself: a robot is needed");
     if (const auto identity = cell->robot->connect(); !identity) {

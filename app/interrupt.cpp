@@ -4,10 +4,18 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <chrono>
+
 #include "app/context.h"
 
 namespace gripscan::app {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What ends a program may send its signal to the process and to its group: no one means two by
+/// that. Nobody presses Ctrl-C twice within this time either.
+constexpr std::chrono::milliseconds kOneRequest{500};
 
 /// SIGUSR1 wakes the listener when the program is over.
 sigset_t watched_signals() {
@@ -23,12 +31,17 @@ Interrupt::Interrupt() {
     const sigset_t set = watched_signals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
     listener_ = std::jthread([this, set](const std::stop_token& over) {
+        Clock::time_point first{};
         while (true) {
             int signal = 0;
             if (sigwait(&set, &signal) != 0 || over.stop_requested()) return;
             if (signal == SIGUSR1) continue;
-            if (source_.stop_requested()) ::_exit(kCancelled);
-            source_.request_stop();
+            if (!source_.stop_requested()) {
+                first = Clock::now();
+                source_.request_stop();
+            } else if (Clock::now() - first > kOneRequest) {
+                ::_exit(kCancelled);
+            }
         }
     });
 }

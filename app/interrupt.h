@@ -1,5 +1,5 @@
 // Ctrl-C as a stop token: the signal is taken by a thread of its own, so that nothing happens
-// inside a signal handler. A second Ctrl-C ends the program at once.
+// inside a signal handler. A second Ctrl-C, half a second later or more, ends the program at once.
 #pragma once
 
 #include <stop_token>

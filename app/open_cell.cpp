@@ -61,7 +61,8 @@ Result<std::unique_ptr<RobotLink>> open_robot(const CellFile& file, const CellOp
     return link_to(std::move(link), !options.manual);
 }
 
-Result<Cell> open_real(const CellOptions& options, const std::stop_token& stop) {
+Result<Cell> open_real(const CellOptions& options, const std::stop_token& stop,
+                       const std::function<void(const std::string&)>& tell) {
     const auto file = load_cell_file(options.cell);
     if (!file) return forward_error(file.error());
     if (!file->camera) return input_error("{} names no camera", options.cell);
@@ -76,6 +77,7 @@ Result<Cell> open_real(const CellOptions& options, const std::stop_token& stop) 
     FrameClientSettings frames;
     frames.host = file->camera->host;
     frames.port = static_cast<std::uint16_t>(file->camera->port);
+    frames.tell = tell;
     auto camera = FrameClient::connect(frames, stop);
     if (!camera) return forward_error(camera.error());
     cell.own_camera = std::move(*camera);
@@ -92,9 +94,10 @@ Result<Cell> open_real(const CellOptions& options, const std::stop_token& stop) 
 
 }  // namespace
 
-Result<Cell> open_cell(const CellOptions& options, const std::stop_token& stop) {
+Result<Cell> open_cell(const CellOptions& options, const std::stop_token& stop,
+                       const std::function<void(const std::string&)>& tell) {
     if (Status sensible = check(options); !sensible) return forward_error(sensible.error());
-    return options.simulated() ? open_simulated(options) : open_real(options, stop);
+    return options.simulated() ? open_simulated(options) : open_real(options, stop, tell);
 }
 
 }  // namespace gripscan::app

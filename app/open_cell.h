@@ -1,6 +1,7 @@
 // A cell as a run needs it: how to reach its robot and camera, and what is known of the place.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -30,7 +31,9 @@ struct Cell {
     double settle_s = 0.3;
 };
 
-/// Connects the camera; a stop request ends the waiting for it (cancelled).
-[[nodiscard]] Result<Cell> open_cell(const CellOptions& options, const std::stop_token& stop);
+/// Connects the camera; a stop request ends the waiting for it (cancelled). `tell` hears what is
+/// waited for where that takes long; may be empty.
+[[nodiscard]] Result<Cell> open_cell(const CellOptions& options, const std::stop_token& stop,
+                                     const std::function<void(const std::string&)>& tell);
 
 }  // namespace gripscan::app

@@ -10,7 +10,8 @@ namespace {
 
 /// Begins the session. What it needs from elsewhere is looked at before anything is made: a
 /// template, an environment or a region that cannot be used is the likeliest mistake.
-Result<TurnSession> begin(const TurnRunOptions& options, Cell& cell, const std::stop_token& stop) {
+Result<TurnSession> begin(const TurnRunOptions& options, const TurnRunViewers& viewers, Cell& cell,
+                          const std::stop_token& stop) {
     std::optional<std::string> gripper;
     if (!options.gripper.empty()) {
         gripper = name_of_template(options.out, options.gripper);
@@ -23,7 +24,7 @@ Result<TurnSession> begin(const TurnRunOptions& options, Cell& cell, const std::
         if (!loaded) return forward_error(loaded.error());
         environment = std::move(*loaded);
     }
-    auto opened = open_cell(options.cell, stop);
+    auto opened = open_cell(options.cell, stop, viewers.waits);
     if (!opened) return forward_error(opened.error());
     cell = std::move(*opened);
     if (auto seen = region_stillness(cell.rig, cell.region); !seen) {
@@ -76,7 +77,7 @@ Result<std::unique_ptr<TurnRun>> TurnRun::open(const TurnRunOptions& options,
     std::unique_ptr<TurnRun> run;
     if (!options.resume || is_fresh_session(options.out)) {
         Cell cell;
-        auto session = begin(options, cell, stop);
+        auto session = begin(options, viewers, cell, stop);
         if (!session) return forward_error(session.error());
         run.reset(new TurnRun(std::move(cell), std::move(*session), options.cell, false));
     } else {
@@ -92,7 +93,7 @@ Result<std::unique_ptr<TurnRun>> TurnRun::open(const TurnRunOptions& options,
         if (Status there = check_cell_file(options.out, cell_options); !there) {
             return forward_error(there.error());
         }
-        auto cell = open_cell(cell_options, stop);
+        auto cell = open_cell(cell_options, stop, viewers.waits);
         if (!cell) return forward_error(cell.error());
         run.reset(new TurnRun(std::move(*cell),
                               TurnSession{std::move(remembered->store), std::move(remembered->spec),

@@ -37,6 +37,8 @@ struct TurnRunOptions {
 /// What a run shows while it goes on; every function may be empty and is called from the run's own
 /// threads.
 struct TurnRunViewers {
+    /// What is waited for while the cell is opened, where that takes long.
+    std::function<void(const std::string&)> waits;
     /// The cell is open, its link not yet connected.
     std::function<Status(const Cell&)> opened;
     SharedSource::Viewer frame;

@@ -20,7 +20,9 @@ Result<EnvironmentModel> learned(CellOptions options, const fs::path& folder,
     options.manual = !options.simulated();  // nothing is moved
     options.live = false;
     options.object.clear();
-    auto cell = open_cell(options, progress.stop);
+    auto cell = open_cell(options, progress.stop, [&](const std::string& waits) {
+        progress.tell(waits, 0, 0);
+    });
     if (!cell) return forward_error(cell.error());
     {
         auto store = begin_environment(folder, options, *cell, false);

@@ -65,6 +65,7 @@ Status LiveTurn::begin(const TurnRunOptions& options, const Progress& progress) 
     viewers.prepared = [this](const RecordedCapture& capture, const PreparedCapture& prepared) {
         seen_.add(capture, prepared);
     };
+    viewers.waits = [&](const std::string& what) { progress.tell(what, 0, 0); };
     opening_ = progress.report;
     viewers.progress = [this](std::string_view stage, std::size_t done, std::size_t total) {
         const std::lock_guard lock(mutex_);

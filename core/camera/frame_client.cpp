@@ -4,6 +4,24 @@
 
 namespace gripscan {
 
+namespace {
+
+/// The server may still be at work on a picture for someone who has gone.
+TcpResult<frames::Message> greeting(frames::FrameChannel& channel,
+                                    const FrameClientSettings& settings) {
+    const auto until = deadline_in(settings.answer_within);
+    if (settings.tell && settings.patience < settings.answer_within) {
+        auto soon = channel.read(deadline_in(settings.patience));
+        if (soon || soon.error().fault != TcpFault::kTimeout) return soon;
+        settings.tell(fmt::format("waiting for the camera at {}: it takes the connection, but "
+                                   "does not greet; another client may hold it",
+                                   place_of(settings.host, settings.port)));
+    }
+    return channel.read(until);
+}
+
+}  // namespace
+
 struct FrameClient::Link {
     frames::FrameChannel channel;
 };
@@ -32,12 +50,13 @@ Status FrameClient::open(const std::stop_token& stop) {
     if (!connection) return device_error("camera: {}", connection.error().message);
     auto link = std::make_unique<Link>(Link{frames::FrameChannel(std::move(*connection))});
     const std::stop_callback on_stop(stop, [&channel = link->channel] { channel.close(); });
-    // The server may still be at work on a picture for someone who has gone.
-    const auto first = link->channel.read(deadline_in(settings_.answer_within));
+    const auto first = greeting(link->channel, settings_);
     if (!first && first.error().fault == TcpFault::kStopped) return cancelled_error();
     if (!first) {
-        return device_error("camera at {} does not greet: {}",
-                            place_of(settings_.host, settings_.port), first.error().message);
+        return device_error(
+            "camera at {} does not greet: {}; it serves one client at a time, and another may hold "
+            "it: end that one, then try again",
+            place_of(settings_.host, settings_.port), first.error().message);
     }
     const auto* greeting = std::get_if<frames::Greeting>(&*first);
     if (greeting == nullptr || greeting->version != frames::kVersion) {

@@ -1,6 +1,7 @@
 // A stereo camera at the other end of a frame port.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -15,6 +16,9 @@ struct FrameClientSettings {
     std::chrono::milliseconds connect_within{3000};
     /// A picture: rendering takes a while. A greeting: one client is served at a time.
     std::chrono::milliseconds answer_within{30000};
+    /// Without a greeting for so long, someone is told what is waited for.
+    std::chrono::milliseconds patience{2000};
+    std::function<void(const std::string&)> tell;
 };
 
 /// Not for several threads at once. A lost connection is opened again by the next grab().

@@ -27,7 +27,10 @@ Advice advice_for(const ProcedureState& state) {
     const double step_rad = state.data.captures[used.back()].commanded_rad -
                             state.data.captures[used[used.size() - 2]].commanded_rad;
     const std::vector<JudgedStep> attempts = earlier_attempts(state, last.row.from, last.row.to);
-    return advise({last, table, attempts, step_rad, state.data.axis_locked}, state.plan);
+    const bool unseen = state.warm_up && state.warm_up->why_none == Cause::kSymmetry;
+    return advise({last, table, attempts, step_rad, state.data.axis_locked,
+                   unseen ? state.warm_up->sentence : std::string()},
+                  state.plan);
 }
 
 }  // namespace gripscan

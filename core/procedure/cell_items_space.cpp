@@ -32,8 +32,10 @@ std::string listed(const std::vector<Piece>& pieces, std::string_view what) {
 }
 
 constexpr std::string_view kClear =
-    "take it out of the registration area, or make the region "
-    "smaller";
+    "take it out of the registration area, or make the region smaller";
+constexpr std::string_view kClearOrTurn =
+    "take it out of the registration area, or make the region smaller; where it is a part of the "
+    "gripper, turn joint 6 until the camera sees it whole";
 
 }  // namespace
 
@@ -45,7 +47,7 @@ CellCheckItem alone_item(const CellFacts& facts, const CellLimits& limits) {
     if (!facts.apart) return skipped("alone", "mm²", facts.apart.error());
     if (facts.far_apart && total_mm2(*facts.far_apart) > limits.apart_mm2) {
         return with_sentence(at_most("alone", total_mm2(*facts.far_apart), limits.apart_mm2, "mm²"),
-                             listed(*facts.far_apart, "far apart from the gripper"), kClear);
+                             listed(*facts.far_apart, "far apart from the gripper"), kClearOrTurn);
     }
     CellCheckItem item = at_most("alone", total_mm2(*facts.apart), limits.apart_mm2, "mm²");
     if (item.outcome == CheckOutcome::kFailed) item.outcome = CheckOutcome::kWarned;

@@ -90,6 +90,7 @@ struct AxisFound {
     std::optional<AxisEstimate> axis;  ///< nothing: the surface does not show its turn
     std::string sentence;
     std::optional<CellReport> cell;  ///< checked again, with what the warm-up has shown
+    std::optional<Cause> why_none;   ///< where there is no axis; older journals do not say
 };
 struct Solved {
     int accepted = 0;

@@ -81,10 +81,11 @@ void fields(auto& io, Is<event::Judged> auto& judged) {
 }
 
 void fields(auto& io, Is<event::AxisFound> auto& found) {
-    auto& [axis, sentence, cell] = found;
+    auto& [axis, sentence, cell, why_none] = found;
     io("axis", axis);
     io("sentence", sentence);
     io("cell", cell);
+    io("why_none", why_none);
 }
 
 void fields(auto& io, Is<event::Solved> auto& solved) {

@@ -47,6 +47,10 @@ Diagnosis diagnose(const AdvisorCase& c, const TurnLimits& limits) {
         return {row.cause, Certainty::kEstablished, {}};
     }
     if (row.cause != Cause::kMislabelled) return {row.cause, Certainty::kFirstLook, {}};
+    // An angle that the surface does not show is no witness against the robot's.
+    if (!c.turn_not_seen.empty()) {
+        return {Cause::kSymmetry, Certainty::kEstablished, c.turn_not_seen};
+    }
     AnglePattern pattern = angle_pattern(c, limits);
     return {pattern.cause, pattern.certainty, std::move(pattern.evidence)};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "core/procedure/advice.h"
 #include "core/procedure/judged_step.h"
@@ -18,6 +19,8 @@ struct AdvisorCase {
     std::span<const JudgedStep> attempts;
     double step_rad = 0.0;  ///< as it was commanded
     bool axis_locked = false;
+    /// The warm-up's word where the surface does not show its turn; empty: it does.
+    std::string turn_not_seen;
 };
 
 /// Pure. `plan` holds limits and budgets. Whatever comes, following the advice ends: an angle is

@@ -6,8 +6,8 @@
 namespace gripscan {
 namespace {
 
-WarmUpAxis no_axis(const std::string& why) {
-    return {{std::nullopt, fmt::format("not found in the warm-up: {}", why), std::nullopt}};
+WarmUpAxis no_axis(Cause cause, const std::string& why) {
+    return {{std::nullopt, fmt::format("not found in the warm-up: {}", why), std::nullopt, cause}};
 }
 
 /// Upwards is positive: by the hint, else as the turns went. True: they went against the hint.
@@ -41,18 +41,18 @@ Result<WarmUpAxis> find_axis(std::span<const RecordedCapture> shots, TurnWorkspa
         if (!result) return forward_error(result.error());
         const TurnStep& row = result->step;
         if (!row.T || row.cause == Cause::kSymmetry || row.cause == Cause::kNotConverged) {
-            return no_axis(row.sentence);
+            return no_axis(row.cause, row.sentence);
         }
         turns.push_back(*row.T);
     }
     auto axis = estimate_axis(turns, centre_m);
-    if (!axis) return no_axis("nothing turned");
+    if (!axis) return no_axis(Cause::kNotConverged, "nothing turned");
     const bool backwards = settle_sign(axis->axis, axis_hint, turns);
     const std::string sentence =
         fmt::format("found by {} small turns to {:.2f} deg and {:.2f} mm{}", turns.size(),
                     deg_from_rad(axis->sd_rad), axis->sd_m * kMmPerM,
                     backwards ? "; the scans turn the other way than joint 6 reports" : "");
-    return WarmUpAxis{{axis, sentence, std::nullopt}, backwards ? -1.0 : 1.0};
+    return WarmUpAxis{{axis, sentence, std::nullopt, std::nullopt}, backwards ? -1.0 : 1.0};
 }
 
 }  // namespace gripscan

@@ -31,7 +31,8 @@ struct TurnStep {
     std::optional<double> commanded_rad;  ///< of this step
     std::optional<double> robot_rad;      ///< difference of the measured joint
     std::optional<double> icp_rad;        ///< signed rotation angle of T; nothing if none was found
-    std::optional<double> error_rad;      ///< icp − (robot, else commanded)
+    /// icp − (robot, else commanded); nothing where the axis lock repeats that angle.
+    std::optional<double> error_rad;
     std::optional<double> sigma_rad;      ///< predicted standard deviation of icp
     std::optional<double> observability;  ///< 0 (turn invisible in the surface) … 1
     TurnMode mode = TurnMode::kFree;

@@ -104,6 +104,8 @@ void compare_with_axis(TurnStep& step, const std::optional<AxisEstimate>& axis) 
         step.axis_offset_m = d.offset_m;
         step.slip_m = d.slip_m;
     }
+    // Locked to the axis it would be the robot's angle against itself.
+    if (step.mode == TurnMode::kAxisLocked) return;
     if (step.icp_rad && reported_rad(step)) step.error_rad = *step.icp_rad - *reported_rad(step);
 }
 

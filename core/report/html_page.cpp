@@ -55,7 +55,7 @@ std::string closure_figure(std::string_view name, const std::optional<Closure>& 
 std::string turned(const TurnReport& report) {
     double sum = 0.0;
     for (const auto& step : report.steps) {
-        if (!step.icp_rad) return "";
+        if (!step.icp_rad || step.mode == TurnMode::kAxisLocked) return "";
         sum += *step.icp_rad;
     }
     return deg3(sum);

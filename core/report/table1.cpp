@@ -249,6 +249,7 @@ TurnSummary summary_of(const TurnReport& report) {
     for (const auto& step : report.steps) {
         summary.checks += step.verdict == Verdict::kCheck;
         summary.rejected += step.verdict == Verdict::kReject;
+        summary.locked += step.mode == TurnMode::kAxisLocked;
         if (!step.error_rad) continue;
         ++summary.compared;
         summary.mean_abs_error_rad += std::abs(*step.error_rad);

@@ -54,7 +54,8 @@ struct TurnSummary {
     std::size_t accepted = 0;  ///< accept and accept_noted
     std::size_t checks = 0;
     std::size_t rejected = 0;
-    std::size_t compared = 0;  ///< steps whose error is known
+    std::size_t locked = 0;    ///< whose angle is the robot's, repeated
+    std::size_t compared = 0;  ///< steps whose error is known: all but those locked to the axis
     double mean_abs_error_rad = 0.0;
     double worst_abs_error_rad = 0.0;
 };

@@ -48,8 +48,15 @@ std::string aligned(const TextRow& row, const std::array<std::size_t, kShown.siz
     return text + "\n";
 }
 
+std::string_view why_no_closure(const TurnReport& report) {
+    if (summary_of(report).locked > 0) return "some angles are the robot's own, repeated";
+    return report.axis ? "the used captures do not go all the way round" : "no axis was found";
+}
+
 std::string closure_text(const TurnReport& report) {
-    if (!report.closure_before || !report.closure_after) return "";
+    if (!report.closure_before || !report.closure_after) {
+        return fmt::format("closure      not known: {}\n", why_no_closure(report));
+    }
     const auto one = [](const Closure& c) {
         return fmt::format("{:.3f} deg, {:.3f} mm", deg_from_rad(c.angle_rad), c.shift_m * kMmPerM);
     };
@@ -127,6 +134,10 @@ std::string summary_sentence(const TurnReport& report) {
         text += fmt::format("; mean |error| {:.3f} deg, worst {:.3f} deg",
                             deg_from_rad(summary.mean_abs_error_rad),
                             deg_from_rad(summary.worst_abs_error_rad));
+    }
+    if (summary.locked > 0) {
+        text += fmt::format("; {} of {} angles are the robot's own, repeated, and no measurement",
+                            summary.locked, summary.steps);
     }
     return text;
 }

@@ -125,7 +125,7 @@ class FakeWork : public EffectRunner {
         return event::Judged{{judge(*state.data.find(e.from), *state.data.find(e.to)), {}, {}}};
     }
     Event operator()(const effect::EstimateAxis&, const ProcedureState&) const {
-        return event::AxisFound{AxisEstimate{}, "axis found", std::nullopt};
+        return event::AxisFound{AxisEstimate{}, "axis found", std::nullopt, std::nullopt};
     }
     Event operator()(const effect::Solve&, const ProcedureState& state) const {
         const int steps = static_cast<int>(state.data.used().size()) - 1;

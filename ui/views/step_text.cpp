@@ -34,18 +34,25 @@ struct Sums {
     double robot_rad = 0.0;
     double icp_rad = 0.0;
     double variance_rad2 = 0.0;
-    bool complete = true;  ///< every row has both angles
+    bool complete = true;  ///< every row has both angles, one measured against the other
 };
 Sums sums_to(const std::vector<JudgedStep>& rows, int last_index) {
     Sums sums;
     for (const JudgedStep& step : rows) {
         if (step.row.index > last_index) break;
-        sums.complete = sums.complete && step.row.robot_rad && step.row.icp_rad;
+        sums.complete =
+            sums.complete && step.row.robot_rad && step.row.icp_rad && step.row.error_rad;
         sums.robot_rad += step.row.robot_rad.value_or(0.0);
         sums.icp_rad += step.row.icp_rad.value_or(0.0);
         sums.variance_rad2 += std::pow(step.row.sigma_rad.value_or(0.0), 2);
     }
     return sums;
+}
+
+HeadingLine icp_sum(const Sums& sums) {
+    if (!sums.complete) return {"ICP sum", "–", {}};
+    return {"ICP sum", degrees(sums.icp_rad),
+            degrees(sums.icp_rad - sums.robot_rad, 3, Sign::kAlways)};
 }
 
 StepHeading heading_before_steps(const ProcedureState& state) {
@@ -73,8 +80,7 @@ StepHeading heading_of_finished(const Snapshot& s, const std::vector<JudgedStep>
     StepHeading heading{"Finished", fmt::format("{} steps", rows.size()), {}};
     const Sums sums = sums_to(rows, static_cast<int>(rows.size()));
     heading.lines = {{"Robot sum", degrees(sums.robot_rad), {}},
-                     {"ICP sum", degrees(sums.icp_rad),
-                      degrees(sums.icp_rad - sums.robot_rad, 3, Sign::kAlways)}};
+                     icp_sum(sums)};
     if (!s.solved) return heading;
     const auto closure = [&](std::string_view label, const std::optional<Closure>& c) {
         if (!c) return;
@@ -306,9 +312,7 @@ StepHeading heading_of(const Snapshot& s) {
         return heading;
     }
     heading.lines.push_back({"Robot sum", degrees(sums.robot_rad), {}});
-    heading.lines.push_back(
-        {"ICP sum", sums.complete ? degrees(sums.icp_rad) : "–",
-         sums.complete ? degrees(sums.icp_rad - sums.robot_rad, 3, Sign::kAlways) : ""});
+    heading.lines.push_back(icp_sum(sums));
     heading.lines.push_back({"Expected", "±" + degrees(std::sqrt(sums.variance_rad2)), "1 σ"});
     heading.lines.push_back(
         {"Time left", s.seconds_left ? duration_text(*s.seconds_left) : "–", {}});

@@ -252,6 +252,7 @@ std::string closure_sentence(const Table1& table, const Snapshot& s) {
     double variance_deg2 = 0.0;
     std::size_t known = 0;
     for (const JudgedStep& step : table_of(*s.procedure)) {
+        if (step.row.mode == TurnMode::kAxisLocked) return "not measured: locked to the axis";
         if (!step.row.sigma_rad) continue;
         variance_deg2 += std::pow(deg_from_rad(*step.row.sigma_rad), 2);
         ++known;

@@ -11,7 +11,10 @@ namespace gripscan {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 /// Greets its one client late, and answers whatever it asks with a refusal.
 class BusyServer {
@@ -35,12 +38,16 @@ class BusyServer {
 };
 
 /// What came of connecting; never a camera, as the server refuses to describe one.
-std::string outcome(std::chrono::milliseconds busy, std::chrono::milliseconds answer_within) {
+std::string outcome(std::chrono::milliseconds busy, std::chrono::milliseconds answer_within,
+                    std::chrono::milliseconds patience = 2s,
+                    std::function<void(const std::string&)> tell = {}) {
     const BusyServer server(busy);
     FrameClientSettings settings;
     settings.port = server.port();
     settings.connect_within = 300ms;
     settings.answer_within = answer_within;
+    settings.patience = patience;
+    settings.tell = std::move(tell);
     const auto client = FrameClient::connect(settings);
     return client ? "connected" : client.error().message;
 }
@@ -70,7 +77,19 @@ TEST(FrameClient, WaitsForAServerThatIsStillBusyForSomeoneElse) {
 }
 
 TEST(FrameClient, SaysThatNobodyGreets) {
-    EXPECT_THAT(outcome(600ms, 100ms), HasSubstr("does not greet"));
+    EXPECT_THAT(outcome(600ms, 100ms),
+                AllOf(HasSubstr("does not greet"), HasSubstr("another may hold it")));
+}
+
+/// Another client may hold the camera for an hour: whoever waits is told soon, and once.
+TEST(FrameClient, TellsWhatItWaitsFor) {
+    std::vector<std::string> told;
+    const auto tell = [&](const std::string& what) { told.push_back(what); };
+    EXPECT_THAT(outcome(900ms, 20s, 300ms, tell), HasSubstr("the lens cap is on"));
+    EXPECT_THAT(told, ElementsAre(HasSubstr("another client may hold it")));
+    told.clear();
+    EXPECT_THAT(outcome(0ms, 20s, 10s, tell), HasSubstr("the lens cap is on"));
+    EXPECT_THAT(told, IsEmpty()) << "it greeted in time";
 }
 
 /// It waits half a minute otherwise.

@@ -49,8 +49,9 @@ using Rows = std::vector<JudgedStep>;
 
 inline Advice advice_for(const JudgedStep& step, const Rows& before, const Rows& attempts,
                          double step_deg = kStep_deg, bool locked = false,
-                         const TurnPlan& plan = {}) {
-    return advise({step, before, attempts, rad_from_deg(step_deg), locked}, plan);
+                         const TurnPlan& plan = {}, std::string turn_not_seen = {}) {
+    return advise({step, before, attempts, rad_from_deg(step_deg), locked, std::move(turn_not_seen)},
+                  plan);
 }
 
 }  // namespace gripscan::test

@@ -130,6 +130,16 @@ TEST(RetryAdvisor, NeverHalvesASymmetricPartAndGoesOnOnceItIsLocked) {
     EXPECT_EQ(advice_for(checked(Cause::kSymmetry), {}, {}, kStep_deg, true).action, kGoOn);
 }
 
+/// A surface that hardly shows its turn looks best unturned; a picture more would say the same.
+TEST(RetryAdvisor, LocksAtOnceWhereTheWarmUpHasShownNoTurn) {
+    const Advice advice =
+        advice_for(wrong(-10.2), {}, {}, kStep_deg, false, {}, "observability 0.03, least 0.08");
+    EXPECT_EQ(advice.action, kLockAxis);
+    EXPECT_EQ(advice.cause, Cause::kSymmetry);
+    EXPECT_THAT(advice.sentence, HasSubstr("observability 0.03"));
+    EXPECT_EQ(advice_for(wrong(-10.2), {}, {}).action, kRetake) << "nothing is known of it";
+}
+
 TEST(RetryAdvisor, GoesOnWhereARowIsOnlyNotIndependent) {
     JudgedStep locked = checked(Cause::kNone);
     locked.row.mode = TurnMode::kAxisLocked;
@@ -189,6 +199,7 @@ TEST(RetryAdvisor, LeavesLessToSpendWithEveryAdviceThatIsFollowed) {
         double to_go_rad = plan.total_rad;
         double step_rad = plan.step_rad;
         bool locked = false;
+        const std::string unseen = seed % 5 == 0 ? "observability 0.03" : "";
         Rows before, attempts;
         const auto pictures_left = [&] {
             return plan.retakes_an_angle -
@@ -207,7 +218,7 @@ TEST(RetryAdvisor, LeavesLessToSpendWithEveryAdviceThatIsFollowed) {
             const JudgedStep step =
                 healthy ? row(Verdict::kAccept, Cause::kNone, 0.02, deg_from_rad(step_rad))
                         : any_step(random, step_rad);
-            action = advise({step, before, attempts, step_rad, locked}, plan).action;
+            action = advise({step, before, attempts, step_rad, locked, unseen}, plan).action;
             if (action == kRetake || action == kHalve) attempts.push_back(step);
             if (action == kHalve) step_rad *= 0.5;
             if (action == kLockAxis) locked = true;
