@@ -48,8 +48,8 @@ Result<ExitStatus> export_template(const ExportOptions& options, const Context& 
     if (context.options.json) {
         print_result(export_json(path, cloud.size(), options.unit, options.frame));
     } else if (!context.options.quiet) {
-        print_result(fmt::format("template     {} ({} points, {}, {} frame){}\n", path, cloud.size(),
-                                 options.unit, options.frame,
+        print_result(fmt::format("template     {} ({} points, {}, {} frame){}\n", path,
+                                 cloud.size(), options.unit, options.frame,
                                  replaced ? "; the file that was there is replaced" : ""));
     }
     const ExitStatus status = trust(results->report);

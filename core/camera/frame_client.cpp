@@ -13,9 +13,10 @@ TcpResult<frames::Message> greeting(frames::FrameChannel& channel,
     if (settings.tell && settings.patience < settings.answer_within) {
         auto soon = channel.read(deadline_in(settings.patience));
         if (soon || soon.error().fault != TcpFault::kTimeout) return soon;
-        settings.tell(fmt::format("waiting for the camera at {}: it takes the connection, but "
-                                   "does not greet; another client may hold it",
-                                   place_of(settings.host, settings.port)));
+        settings.tell(
+            fmt::format("waiting for the camera at {}: it takes the connection, but "
+                        "does not greet; another client may hold it",
+                        place_of(settings.host, settings.port)));
     }
     return channel.read(until);
 }

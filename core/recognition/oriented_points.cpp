@@ -63,7 +63,8 @@ OrientedPoints thinned_by_normal(const OrientedPoints& all, double voxel_m) {
 OrientedPoints thinned_to(const OrientedPoints& all, double voxel_m, std::size_t count) {
     OrientedPoints result = thinned_by_normal(all, voxel_m);
     while (result.size() > count) {
-        voxel_m *= 1.05 * std::sqrt(static_cast<double>(result.size()) / static_cast<double>(count));
+        voxel_m *=
+            1.05 * std::sqrt(static_cast<double>(result.size()) / static_cast<double>(count));
         result = thinned_by_normal(all, voxel_m);
     }
     return result;

@@ -57,8 +57,7 @@ std::vector<Ballot::Peak> Ballot::peaks(int count) const {
     const auto n = std::min<std::size_t>(all.size(), static_cast<std::size_t>(count));
     std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n), all.end(),
                       [](const Peak& a, const Peak& b) {
-                          return a.votes != b.votes ? a.votes > b.votes
-                                                    : a.reference < b.reference;
+                          return a.votes != b.votes ? a.votes > b.votes : a.reference < b.reference;
                       });
     all.resize(n);
     return all;
@@ -78,13 +77,12 @@ void cast_votes(const TemplateModel& model, const CoarseScene& scene, std::size_
         const float turn = std::atan2(-q.z(), q.y()) / (2.0F * std::numbers::pi_v<float>);
         const int scene_angle = static_cast<int>(std::floor(turn * PairTable::kTurn));
         const std::size_t skip = (found.size() + kMostVotes - 1) / kMostVotes;
-        const float weight =
-            static_cast<float>(skip) /
-            std::sqrt(1.0F + static_cast<float>(found.size()) /
-                                 static_cast<float>(model.coarse.size()));
+        const float weight = static_cast<float>(skip) /
+                             std::sqrt(1.0F + static_cast<float>(found.size()) /
+                                                  static_cast<float>(model.coarse.size()));
         for (std::size_t j = 0; j < found.size(); j += skip) {
-            const int angle = (static_cast<int>(found[j].angle) - scene_angle) &
-                              (PairTable::kTurn - 1);
+            const int angle =
+                (static_cast<int>(found[j].angle) - scene_angle) & (PairTable::kTurn - 1);
             ballot.add(found[j].reference, static_cast<std::uint16_t>(angle), weight);
         }
     }
@@ -104,7 +102,8 @@ std::vector<VotedPose> vote_for_poses(const TemplateModel& model, const CoarseSc
         for (std::size_t k = block * kBlock; k < std::min(references, (block + 1) * kBlock); ++k) {
             const std::size_t r = k * n / references;
             scene.tree.all_within(scene.points.points[r], model.pairs->longest_m(), partners);
-            const std::size_t stride = (partners.size() + settings.partners - 1) / settings.partners;
+            const std::size_t stride =
+                (partners.size() + settings.partners - 1) / settings.partners;
             ballot.clear();
             cast_votes(model, scene, r, partners, std::max<std::size_t>(1, stride), ballot);
             const Eigen::Isometry3f T_x_scene =
@@ -112,12 +111,13 @@ std::vector<VotedPose> vote_for_poses(const TemplateModel& model, const CoarseSc
             const auto peaks = ballot.peaks(settings.peaks);
             for (const auto& peak : peaks) {
                 if (peak.votes < kLeastPeak * peaks.front().votes) break;
-                const Eigen::Isometry3f T_x_template = onto_x(
-                    model.coarse.points[peak.reference], model.coarse.normals[peak.reference]);
+                const Eigen::Isometry3f T_x_template = onto_x(model.coarse.points[peak.reference],
+                                                              model.coarse.normals[peak.reference]);
                 const Eigen::Isometry3f turn(
                     Eigen::AngleAxisf(peak.angle_rad, Eigen::Vector3f::UnitX()));
-                found[k].push_back({T_x_scene.inverse() * turn * T_x_template,
-                                    peak.votes * static_cast<float>(std::max<std::size_t>(1, stride))});
+                found[k].push_back(
+                    {T_x_scene.inverse() * turn * T_x_template,
+                     peak.votes * static_cast<float>(std::max<std::size_t>(1, stride))});
             }
         }
     });

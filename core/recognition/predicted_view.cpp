@@ -80,7 +80,10 @@ Edge edge_at(const SceneView& scene, const PredictedSample& s, float column, flo
     const int r = static_cast<int>(std::lround(row));
     if (!scene.map.inside(c, r)) return Edge::kInFront;
     const std::int32_t k = scene.map.point_at(c, r);
-    if (k < 0) return Edge::kBeyond;
+    if (k < 0) {
+        return scene.map.in_shadow(c, r, s.at.depth_m - tolerance_m) ? Edge::kInFront
+                                                                     : Edge::kBeyond;
+    }
     const auto i = static_cast<std::size_t>(k);
     const float off_plane = s.normal.dot(scene.points.points[i] - s.point);
     if (std::abs(off_plane) <= tolerance_m) return Edge::kSurface;

@@ -16,8 +16,8 @@
 namespace gripscan {
 
 struct RecogniseSettings {
-    double least_score = 0.45;       ///< below it a template counts as absent
-    double least_found = 0.25;       ///< share of the visible surface that must be found
+    double least_score = 0.45;         ///< below it a template counts as absent
+    double least_found = 0.15;         ///< share of the visible surface that must be found
     double alternative_margin = 0.06;  ///< other poses this close in score are named
     std::size_t most_per_template = 3;
 };
@@ -29,7 +29,7 @@ struct AlternativePose {
 };
 
 struct Detection {
-    std::string name;          ///< of the template
+    std::string name;  ///< of the template
     std::size_t template_index = 0;
     Pose T_camera_template = Pose::Identity();
     double score = 0.0;

@@ -47,6 +47,7 @@ Result<SceneView> make_scene_view(const Cloud& cloud, double finest_step_m,
         estimate_normals(computed, {}, for_each);
         view.points.normals = std::move(computed.normals);
     }
+    view.noise_told = !cloud.sigma.empty();
     view.noise_m = cloud.sigma.empty() ? noise_estimate_m(cloud, for_each)
                                        : static_cast<double>(median_of(cloud.sigma));
     view.thin = thinned_by_normal(some_of(view.points), view.thin_m);

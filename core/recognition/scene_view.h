@@ -19,10 +19,11 @@ struct CoarseScene {
 };
 
 struct SceneView {
-    OrientedPoints points;  ///< all of them, as measured
-    double noise_m = 0.0;   ///< standard deviation along the line of sight, the median
+    OrientedPoints points;    ///< all of them, as measured
+    double noise_m = 0.0;     ///< standard deviation along the line of sight, the median
+    bool noise_told = false;  ///< by the camera; else it is what neighbours differ by, and less
     ViewMap map;
-    OrientedPoints thin;    ///< some millimetres apart: what coarse scenes are made from
+    OrientedPoints thin;  ///< some millimetres apart: what coarse scenes are made from
     double thin_m = 0.0;
 
     [[nodiscard]] CoarseScene coarse(double step_m) const;

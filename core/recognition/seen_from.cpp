@@ -76,8 +76,8 @@ const std::vector<Eigen::Vector3f>& view_directions() {
         for (int i = 0; i < kDirections; ++i) {
             const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
             const double r = std::sqrt(1.0 - z * z);
-            all.push_back(
-                Eigen::Vector3d(r * std::cos(golden * i), r * std::sin(golden * i), z).cast<float>());
+            all.push_back(Eigen::Vector3d(r * std::cos(golden * i), r * std::sin(golden * i), z)
+                              .cast<float>());
         }
         return all;
     }();

@@ -34,7 +34,7 @@ class SeenFrom {
 
 /// The part as seen from outside: points inside it are left out, and normals that have no side yet
 /// (`oriented` false) are turned to where they are seen from.
-[[nodiscard]] OrientedPoints outside_of(const OrientedPoints& part, bool oriented,
-                                        double spacing_m, const ForEach& for_each);
+[[nodiscard]] OrientedPoints outside_of(const OrientedPoints& part, bool oriented, double spacing_m,
+                                        const ForEach& for_each);
 
 }  // namespace gripscan

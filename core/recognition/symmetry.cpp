@@ -16,6 +16,7 @@ namespace {
 /// Shares of the surface that must lie on itself again.
 constexpr double kSame = 0.985;
 constexpr double kNearlySame = 0.75;
+constexpr double kBodyTheSame = 0.7;
 /// Smaller turns are none.
 constexpr double kSmallestTurn_rad = 12.0 * kRadPerDeg;
 
@@ -33,21 +34,38 @@ Axis axis_of(const Pose& T) {
     return {p, a};
 }
 
-/// The line about which every turn leaves the part the same.
+/// The line about which every turn leaves that share of the part the same.
 std::optional<Axis> revolution(const TemplateModel& model, const ShapeMatcher& self,
-                               const std::vector<ShapeMatch>& turns) {
+                               const std::vector<ShapeMatch>& turns, double least_same) {
     for (const ShapeMatch& turn : turns) {
-        if (turn.same < kSame) continue;
+        if (turn.same < least_same) continue;
         const Axis axis = axis_of(turn.T_still_moving);
         bool every = true;
         for (int k = 1; k <= 7 && every; ++k) {
             // Angles that no small number of equal turns has in common.
-            every =
-                self.same(model, turn_about(axis, rad_from_deg(17.0 + 47.0 * k))) >= kSame - 0.01;
+            every = self.same(model, turn_about(axis, rad_from_deg(17.0 + 47.0 * k))) >=
+                    least_same - 0.01;
         }
         if (every) return axis;
     }
     return std::nullopt;
+}
+
+/// A jug is the same after no turn, but only its handle tells: every so many degrees is a pose that
+/// may be taken for the right one.
+void add_turns_of_a_body_with_a_handle(const TemplateModel& model, const ShapeMatcher& self,
+                                       const std::vector<ShapeMatch>& turns, Symmetry& symmetry) {
+    // Turns that fit much better than any other angle are those of a prism, not of a body.
+    const double best = turns.empty() ? 0.0 : turns.front().same;
+    const auto axis = revolution(model, self, turns, std::max(kBodyTheSame, best - 0.08));
+    if (!axis) return;
+    constexpr int kTurns = 18;
+    std::erase_if(symmetry.near_turns, [&](const Pose& T) {
+        return (T.linear() * axis->direction).dot(axis->direction) > 0.98;
+    });
+    for (int k = 1; k < kTurns; ++k) {
+        symmetry.near_turns.push_back(turn_about(*axis, 2.0 * std::numbers::pi * k / kTurns));
+    }
 }
 
 std::string name_of(const Symmetry& symmetry) {
@@ -73,7 +91,7 @@ Symmetry find_symmetry(const TemplateModel& model, const ForEach& for_each) {
         return angle_rad(turn.T_still_moving) < kSmallestTurn_rad;
     });
     Symmetry symmetry;
-    symmetry.revolution = revolution(model, self, turns);
+    symmetry.revolution = revolution(model, self, turns, kSame);
     for (const ShapeMatch& turn : turns) {
         if (symmetry.revolution) {
             const Eigen::Vector3d& a = symmetry.revolution->direction;
@@ -86,6 +104,7 @@ Symmetry find_symmetry(const TemplateModel& model, const ForEach& for_each) {
         }
         (turn.same >= kSame ? symmetry.turns : symmetry.near_turns).push_back(turn.T_still_moving);
     }
+    if (!symmetry.revolution) add_turns_of_a_body_with_a_handle(model, self, turns, symmetry);
     symmetry.name = name_of(symmetry);
     return symmetry;
 }

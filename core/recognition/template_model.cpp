@@ -5,6 +5,7 @@
 
 #include "core/cloud/filters.h"
 #include "core/cloud/kd_tree.h"
+#include "core/recognition/open_border.h"
 
 namespace gripscan {
 namespace {
@@ -67,7 +68,8 @@ Result<std::shared_ptr<const TemplateModel>> make_template_model(
                            name, 1e3 * model->diameter_m);
     }
     if (progress.cancelled()) return cancelled_error();
-    const double dense_m = typical_spacing_m(model->dense.points);
+    const double dense_m = model->dense_m = typical_spacing_m(model->dense.points);
+    model->dense_border = open_border(model->dense, dense_m, for_each);
     model->samples = thinned_to(model->dense, dense_m, settings.samples);
     model->spacing_m = typical_spacing_m(model->samples.points);
     model->step_m = settings.step_share * model->diameter_m;

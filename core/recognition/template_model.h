@@ -19,11 +19,13 @@ namespace gripscan {
 /// Immutable; shared between threads.
 struct TemplateModel {
     std::string name;
-    OrientedPoints dense;    ///< the surface as seen from outside, template frame
-    OrientedPoints samples;  ///< points that a pose is verified and refined by
-    OrientedPoints coarse;   ///< points that vote
-    double spacing_m = 0.0;  ///< of the samples
-    double step_m = 0.0;     ///< of the coarse points
+    OrientedPoints dense;            ///< the surface as seen from outside, template frame
+    std::vector<char> dense_border;  ///< where the template ends, though the part may go on
+    OrientedPoints samples;          ///< points that a pose is verified and refined by
+    OrientedPoints coarse;           ///< points that vote
+    double dense_m = 0.0;            ///< spacing of the dense points
+    double spacing_m = 0.0;          ///< of the samples
+    double step_m = 0.0;             ///< of the coarse points
     double diameter_m = 0.0;
     Eigen::Vector3f centre_m = Eigen::Vector3f::Zero();
     std::optional<PairTable> pairs;

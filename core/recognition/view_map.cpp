@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/cloud/kd_tree.h"
 
@@ -13,6 +14,9 @@ namespace {
 /// Points of an image lie at least this near (in cells) to where a pinhole puts them.
 constexpr double kPinholeMisfit = 0.3;
 constexpr int kLargestSide = 4096;
+/// Widest shadow of a near thing, in shares of the image's width: of one at 0.5 m on one at 0.75 m,
+/// seen by cameras 0.12 m apart.
+constexpr double kWidestShadow = 0.0625;
 
 /// Slope and offset of b over a, and the largest of nearly all misfits.
 struct Line {
@@ -85,9 +89,9 @@ bool ViewMap::fit_grid(const Cloud& cloud) {
 /// Cells of nearly two point distances: fine enough for the shape, coarse enough to have no holes.
 void ViewMap::make_grid(const Cloud& cloud) {
     const Eigen::Vector3f forward = centroid(cloud).cast<float>() - viewpoint_;
-    R_map_scene_ = Eigen::Quaternionf::FromTwoVectors(forward.normalized(),
-                                                      Eigen::Vector3f::UnitZ())
-                       .toRotationMatrix();
+    R_map_scene_ =
+        Eigen::Quaternionf::FromTwoVectors(forward.normalized(), Eigen::Vector3f::UnitZ())
+            .toRotationMatrix();
     Eigen::Array2f low = Eigen::Array2f::Constant(1e9F);
     Eigen::Array2f high = -low;
     std::vector<Eigen::Vector3f> directions;
@@ -129,12 +133,38 @@ void ViewMap::fill(const Cloud& cloud) {
         const Place at = place_of(cloud.points[i]);
         depth_m_[i] = at.depth_m;
         if (at.depth_m <= 0.0F || !inside(at.column, at.row)) continue;
-        std::int32_t& index = index_[static_cast<std::size_t>(at.row) *
-                                         static_cast<std::size_t>(width_) +
-                                     static_cast<std::size_t>(at.column)];
+        std::int32_t& index =
+            index_[static_cast<std::size_t>(at.row) * static_cast<std::size_t>(width_) +
+                   static_cast<std::size_t>(at.column)];
         if (index < 0 || at.depth_m < depth_m_[static_cast<std::size_t>(index)]) {
             index = static_cast<std::int32_t>(i);
         }
+    }
+    find_shadows();
+}
+
+void ViewMap::find_shadows() {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    const int widest = std::max(1, static_cast<int>(kWidestShadow * width_));
+    beside_m_.assign(index_.size(), kFar);
+    for (int row = 0; row < height_; ++row) {
+        const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
+        const auto sweep = [&](int from, int to, int way) {
+            float last_m = kFar;
+            int ends = 0;
+            for (int column = from; column != to; column += way) {
+                const std::size_t i = first + static_cast<std::size_t>(column);
+                if (index_[i] >= 0) {
+                    last_m = depth_m_[static_cast<std::size_t>(index_[i])];
+                    ends = widest;
+                } else if (ends > 0) {
+                    --ends;
+                    beside_m_[i] = std::min(beside_m_[i], last_m);
+                }
+            }
+        };
+        sweep(0, width_, 1);
+        sweep(width_ - 1, -1, -1);
     }
 }
 

@@ -36,6 +36,13 @@ class ViewMap {
                       static_cast<std::size_t>(column)];
     }
     [[nodiscard]] float depth_m(std::size_t point) const { return depth_m_[point]; }
+    /// Nothing is measured there, but beside it in the row, on one side at least, something nearer
+    /// than depth_m: the other camera of a stereo pair may have seen that instead, so the gap says
+    /// nothing of what is at depth_m.
+    [[nodiscard]] bool in_shadow(int column, int row, float depth_m) const {
+        return beside_m_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                         static_cast<std::size_t>(column)] < depth_m;
+    }
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] const Eigen::Vector3f& viewpoint() const { return viewpoint_; }
@@ -49,6 +56,7 @@ class ViewMap {
     [[nodiscard]] bool fit_grid(const Cloud& cloud);
     void make_grid(const Cloud& cloud);
     void fill(const Cloud& cloud);
+    void find_shadows();
 
     Eigen::Vector3f viewpoint_;
     Eigen::Matrix3f R_map_scene_;  ///< looks along z
@@ -56,6 +64,7 @@ class ViewMap {
     int width_ = 0, height_ = 0;
     std::vector<std::int32_t> index_;
     std::vector<float> depth_m_;
+    std::vector<float> beside_m_;  ///< of cells without a point: the nearer end of the gap
 };
 
 }  // namespace gripscan

@@ -5,7 +5,7 @@
 namespace gripscan {
 namespace {
 
-/// The terms of the score, as counts of surface samples.
+/// The terms of the score, as counts of cells of the view.
 Json terms_json(const VisibleAgreement& a) {
     return {{"visible", a.visible},
             {"seen", a.seen},
@@ -14,6 +14,8 @@ Json terms_json(const VisibleAgreement& a) {
             {"mismatched", a.mismatched},
             {"unknown", a.unknown},
             {"outline_ends", a.outline_ends},
+            {"outline_open", a.outline_open},
+            {"outline_bends", a.outline_bends},
             {"outline_goes_on", a.outline_goes_on},
             {"support", a.support()},
             {"found", a.found()},

@@ -134,6 +134,10 @@ void Builder::build_arm() {
     if (settings_.templates_present) {
         contents.gripper = kGrippers[random_.next() % 3 == 0 ? 1 : 0];
         if (random_.next() % 2 == 0) contents.object = kObjects[random_.next() % kObjects.size()];
+        // Objects are made for the opening of their gripper, the templates for the first one's. A
+        // carton that is some millimetres wider is no template, and is no fair "absent" either.
+        if (!contents.object.empty() && sim::make_gripper(contents.gripper).opening_m != kOpening_m)
+            contents.object = "casting";
     } else {
         contents.gripper = random_.next() % 2 == 0 ? "suction" : "parallel-wide";
     }
@@ -147,13 +151,10 @@ void Builder::build_arm() {
     taken_.push_back({T_camera_tool * Eigen::Vector3d(0, 0, 0.07), 0.14});
     if (!settings_.templates_present) return;
     placed_.push_back({contents.gripper, T_world_tool, SceneModel::kTool, 0, gripper.parts.size()});
-    if (contents.object.empty()) return;
-    // Objects are made for the opening of this gripper; the templates are for the first one's.
-    if (gripper.opening_m == kOpening_m) {
-        placed_.push_back({contents.object, T_world_tool * gripper.T_tool_grasp, SceneModel::kTool,
-                           gripper.parts.size(),
-                           model_.bodies[SceneModel::kTool].parts.size() - gripper.parts.size()});
-    }
+    if (contents.object.empty() || contents.object == "casting") return;
+    placed_.push_back({contents.object, T_world_tool * gripper.T_tool_grasp, SceneModel::kTool,
+                       gripper.parts.size(),
+                       model_.bodies[SceneModel::kTool].parts.size() - gripper.parts.size()});
 }
 
 void Builder::put(const std::vector<sim::Part>& parts, const Pose& T_camera_part) {

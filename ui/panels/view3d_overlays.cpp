@@ -31,6 +31,18 @@ void draw_marker(const Ui& ui, const ImVec2& at, std::string_view name) {
                   name);
 }
 
+/// Moved down until it covers none of those that have their place.
+Rect below_all(Rect words, const std::vector<Rect>& placed) {
+    const auto covered = [&] {
+        return std::find_if(placed.begin(), placed.end(),
+                            [&](const Rect& other) { return words.overlaps(other); });
+    };
+    for (auto other = covered(); other != placed.end(); other = covered()) {
+        words.y = other->bottom();
+    }
+    return words;
+}
+
 }  // namespace
 
 float draw_outlined(const Ui& ui, float x, float y, const Colour& colour, std::string_view text,
@@ -49,6 +61,7 @@ float draw_outlined(const Ui& ui, float x, float y, const Colour& colour, std::s
 
 void draw_labels(const Ui& ui, const Rect& rect, const OrbitCamera& camera,
                  const std::vector<SceneLabel>& labels) {
+    std::vector<Rect> placed;
     for (const SceneLabel& label : labels) {
         const auto at = on_screen(rect, camera, label.at_m);
         if (!at || !rect.contains(static_cast<int>(at->x), static_cast<int>(at->y))) continue;
@@ -60,11 +73,18 @@ void draw_labels(const Ui& ui, const Rect& rect, const OrbitCamera& camera,
         const float x_wanted = at->x + static_cast<float>(label.dx_px) * ui.scale.factor();
         const float least = static_cast<float>(rect.x) + margin + (ends_there ? wide : 0.0F);
         const float x = std::max(x_wanted, least);
-        const float y = at->y + static_cast<float>(label.dy_px) * ui.scale.factor();
+        const float y_wanted = at->y + static_cast<float>(label.dy_px) * ui.scale.factor();
+        const float line = ui.scale.em(1.14F);
+        const float high = label.second.empty() ? line : 2.0F * line;
+        const Rect words =
+            below_all({static_cast<int>(ends_there ? x - wide : x), static_cast<int>(y_wanted),
+                       static_cast<int>(wide) + 1, static_cast<int>(high) + 1},
+                      placed);
+        placed.push_back(words);
+        const float y = y_wanted + static_cast<float>(words.y - static_cast<int>(y_wanted));
         draw_outlined(ui, x, y, label.colour, label.text, ends_there);
         if (!label.second.empty()) {
-            draw_outlined(ui, x, y + ui.scale.em(1.14F), ui.theme.text_second, label.second,
-                          ends_there);
+            draw_outlined(ui, x, y + line, ui.theme.text_second, label.second, ends_there);
         }
     }
 }

@@ -184,10 +184,10 @@ TEST(JournalCodec, ALinkAnAxisAndACheckHaveTheseFields) {
                     "controller.automatic", "controller.servo_on", "controller.emergency_stop",
                     "controller.fault", "controller.moving", "controller.override_percent",
                     "controller.alarm", "reading.joints_rad", "reading.T_world_tool"));
-    EXPECT_THAT(
-        names_in_order(encode(Input(Event(event::AxisFound{AxisEstimate{}, "", {}, Cause::kSymmetry})))),
-        ElementsAre("name", "axis.point_m", "axis.direction", "axis.sd_rad", "axis.sd_m",
-                    "sentence", "why_none"));
+    EXPECT_THAT(names_in_order(encode(
+                    Input(Event(event::AxisFound{AxisEstimate{}, "", {}, Cause::kSymmetry})))),
+                ElementsAre("name", "axis.point_m", "axis.direction", "axis.sd_rad", "axis.sd_m",
+                            "sentence", "why_none"));
     EXPECT_THAT(names_in_order(encode(Input(Event(event::CellChecked{{{CellCheckItem{}}}})))),
                 ElementsAre("name", "items", "items.1.name", "items.1.outcome", "items.1.value",
                             "items.1.limit", "items.1.unit", "items.1.sentence"));

@@ -76,8 +76,8 @@ class Recognise : public testing::Test {
     }
 };
 
-/// Whatever is reported is there, and where it is said to be. The thin bracket is still missed:
-/// the solid part must be found in every view.
+/// Whatever is reported is there, and where it is said to be. A part that is not found is left to
+/// the operator: one in eight may be.
 TEST_F(Recognise, FindsThePartsThatAreThereAndNoOthers) {
     std::size_t right = 0;
     for (const std::uint64_t seed : {11, 12, 13, 14}) {
@@ -99,7 +99,7 @@ TEST_F(Recognise, FindsThePartsThatAreThereAndNoOthers) {
                 << d.name << ", seed " << seed << ": " << d.explained();
         }
     }
-    EXPECT_GE(right, 4U);
+    EXPECT_GE(right, 7U);
 }
 
 TEST_F(Recognise, FindsAPartThatIsHalfHidden) {
