@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of the README with the scripted driver: a turn in the simulated cell.
 # usage: tests/tools/animation.sh OUT
-# OUT receives turn.gif (the turn, 800 px wide), window.png (1600 x 1000, the finished turn) and the
+# OUT receives turn.gif (the turn, 720 px wide), window.png (1600 x 1000, the finished turn) and the
 # pictures between. Needs Xvfb and ImageMagick's convert; about four minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -35,7 +35,8 @@ shot() {
     echo "wait step.step"
     shot 1
     echo "click mode.run"
-    for _ in $(seq 16); do shot 3.5; done
+    echo "drag view3d.scene 1 0" # the pointer away from the switch and its explanation
+    for _ in $(seq 20); do shot 6; done
     echo "wait window.export 900"
     echo "pause 2"
     echo "picture $out/window.png"
@@ -52,6 +53,6 @@ shot() {
 # Half a second a picture, the first and the last longer. Few colours: the window has few.
 pictures=("$out"/1[0-9][0-9].png)
 convert -delay 150 "${pictures[0]}" -delay 60 "${pictures[@]:1:${#pictures[@]}-2}" -delay 300 \
-    "${pictures[-1]}" -filter Lanczos -resize 800x -dither None -colors 96 -layers OptimizeTransparency \
+    "${pictures[-1]}" -filter Lanczos -resize 720x -dither None -colors 64 -layers OptimizeTransparency \
     -loop 0 "$out/turn.gif"
 ls -l "$out/turn.gif" "$out/window.png"
