@@ -162,8 +162,8 @@ class Search {
         }
         for (PoseCandidate& c : finished(rivals)) all.push_back(std::move(c));
         all = distinct_best(model_, std::move(all), 10, 10);
-        const std::size_t best = champion_of(all);
-        PoseCandidate& champion = all[best];
+        const Champion found = champion_of(all);
+        PoseCandidate& champion = all[found.index];
         // What speaks for the part being there speaks for each of the poses.
         for (const PoseCandidate& c : all) {
             if (turn_between(champion, c)) champion.score = std::max(champion.score, c.score);
@@ -171,9 +171,9 @@ class Search {
         champion.claim = champion.score * static_cast<double>(champion.points.size());
         std::vector<PoseCandidate> left;
         for (std::size_t i = 0; i < all.size(); ++i) {
-            const auto turn = i == best ? std::nullopt : turn_between(champion, all[i]);
+            const auto turn = i == found.index ? std::nullopt : turn_between(champion, all[i]);
             if (turn) {
-                const Duel d = compared(champion, all[i], *turn);
+                const Duel d = found.duels[i] ? *found.duels[i] : compared(champion, all[i], *turn);
                 if (d.first > d.second && d.decisive()) continue;
                 all[i].claim = std::min(all[i].claim, kBeaten * champion.claim);
             }
@@ -203,14 +203,22 @@ class Search {
         return {(one.first + other.first) / 2, (one.second + other.second) / 2};
     }
 
-    [[nodiscard]] std::size_t champion_of(const std::vector<PoseCandidate>& all) const {
-        std::size_t best = 0;
+    struct Champion {
+        std::size_t index = 0;
+        std::vector<std::optional<Duel>> duels;  ///< its own, with those it has met
+    };
+    [[nodiscard]] Champion champion_of(const std::vector<PoseCandidate>& all) const {
+        Champion best{0, std::vector<std::optional<Duel>>(all.size())};
         for (std::size_t i = 1; i < all.size(); ++i) {
-            const auto turn = turn_between(all[best], all[i]);
+            const auto turn = turn_between(all[best.index], all[i]);
             if (!turn) continue;
-            const Duel d = compared(all[best], all[i], *turn);
-            const bool as_good = all[i].score > kWorthADuel * all[best].score;
-            if (d.second > d.first && (as_good || d.decisive())) best = i;
+            const Duel d = compared(all[best.index], all[i], *turn);
+            const bool as_good = all[i].score > kWorthADuel * all[best.index].score;
+            if (d.second > d.first && (as_good || d.decisive())) {
+                best = {i, std::vector<std::optional<Duel>>(all.size())};
+            } else {
+                best.duels[i] = d;
+            }
         }
         return best;
     }

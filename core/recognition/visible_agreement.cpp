@@ -51,7 +51,7 @@ constexpr int kStray = 1;
 /// Cells outwards within which an edge is looked for: half a matching window and some.
 constexpr int kReach = 8;
 /// The same in spacings of the template's samples, where nothing is known of the camera's edges.
-constexpr float kReachSpacings = 4.0F;
+constexpr double kReachSpacings = 4.0;
 /// The share of strays that stereo makes by itself.
 constexpr double kUsualStrays = 0.3;
 
@@ -135,8 +135,8 @@ class Comparison {
           predicted_(model, scene, T),
           tolerance_{static_cast<float>(tolerance_m),
                      static_cast<float>(std::max(kGap * model.diameter_m, 4.0 * tolerance_m))},
-          edge_(edge_cells(model, scene, T)),
-          reach_(reach_cells(model, scene, T)) {}
+          edge_(cells_of(kEdgeDetail * model.diameter_m, 1, kEdge, model, scene, T)),
+          reach_(reach_cells(model, T)) {}
 
     [[nodiscard]] VisibleAgreement run(std::vector<std::uint32_t>* claimed) const {
         VisibleAgreement a;
@@ -157,22 +157,19 @@ class Comparison {
     }
 
   private:
-    static int edge_cells(const TemplateModel& model, const SceneView& scene, const Pose& T) {
+    /// A length at the part's distance, in cells.
+    static int cells_of(double length_m, int least, int most, const TemplateModel& model,
+                        const SceneView& scene, const Pose& T) {
         const Eigen::Vector3f centre = (T * model.centre_m.cast<double>()).cast<float>();
         const float depth_m = std::max(1e-3F, scene.map.place_of(centre).depth_m);
-        const auto detail_m = static_cast<float>(kEdgeDetail * model.diameter_m);
-        const float cells = detail_m * scene.map.cells_per_unit() / depth_m;
-        return std::clamp(static_cast<int>(std::lround(std::min(cells, 100.0F))), 1, kEdge);
+        const float cells = static_cast<float>(length_m) * scene.map.cells_per_unit() / depth_m;
+        return std::clamp(static_cast<int>(std::lround(std::min(cells, 100.0F))), least, most);
     }
 
     /// Our stereo's windows have so many pixels; what smooths another camera's edges is unknown.
-    static int reach_cells(const TemplateModel& model, const SceneView& scene, const Pose& T) {
-        if (scene.noise_told) return kReach - 2 * (kEdge - edge_cells(model, scene, T));
-        const Eigen::Vector3f centre = (T * model.centre_m.cast<double>()).cast<float>();
-        const float depth_m = std::max(1e-3F, scene.map.place_of(centre).depth_m);
-        const float cells = kReachSpacings * static_cast<float>(model.spacing_m) *
-                            scene.map.cells_per_unit() / depth_m;
-        return std::clamp(static_cast<int>(std::lround(std::min(cells, 100.0F))), 2, 3 * kReach);
+    [[nodiscard]] int reach_cells(const TemplateModel& model, const Pose& T) const {
+        if (scene_.noise_told) return kReach - 2 * (kEdge - edge_);
+        return cells_of(kReachSpacings * model.spacing_m, 2, 3 * kReach, model, scene_, T);
     }
 
     [[nodiscard]] const Eigen::Vector3f& point(std::int32_t i) const {
